@@ -1,0 +1,8 @@
+//! Unit directions, orthonormal frames and well-spread random numbers: the geometry that every other crate rests on.
+
+mod direction;
+mod frame;
+
+pub use direction::Direction;
+pub use frame::Frame;
+pub use glam::DVec3 as Vec3;

@@ -1,0 +1,89 @@
+//! What a flat element of a window does to light: the only thing a room knows of a window.
+
+use hemisphere::{Direction, Vec3};
+
+/// The two faces of a window element, as in WINDOW: `Front` is the outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The outside, z = 0.
+    Front,
+    /// The room side, z = thickness.
+    Back,
+}
+
+impl Side {
+    /// The other side.
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Front => Self::Back,
+            Self::Back => Self::Front,
+        }
+    }
+
+    /// The side that light travelling along `direction` leaves by.
+    pub fn left_along(direction: Vec3) -> Self {
+        if direction.z > 0.0 { Self::Back } else { Self::Front }
+    }
+
+    /// The side that light travelling along `direction` arrives on.
+    pub fn entered_along(direction: Vec3) -> Self {
+        Self::left_along(direction).opposite()
+    }
+}
+
+/// One parallel beam that leaves a window element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lobe {
+    /// Where it travels, in the element's axes (x along the cuts, y up, z from outside to room).
+    pub direction: Direction,
+    /// Share of the incident power.
+    pub power: f64,
+    /// Least number of total internal reflections on the way.
+    pub total_reflections: u16,
+}
+
+/// Every beam that leaves, and what does not.
+#[derive(Clone, Debug, Default)]
+pub struct Lobes {
+    /// The beams, no two of one direction.
+    pub beams: Vec<Lobe>,
+    /// Share of the incident power absorbed.
+    pub absorbed: f64,
+    /// Share of the incident power not followed to its end.
+    pub residual: f64,
+}
+
+impl Lobes {
+    /// Forgets everything but keeps the memory.
+    pub fn clear(&mut self) {
+        self.beams.clear();
+        (self.absorbed, self.residual) = (0.0, 0.0);
+    }
+}
+
+/// One direction drawn at random.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Scattered {
+    /// It leaves along this direction.
+    Leaves {
+        /// Where it travels, in the element's axes.
+        direction: Direction,
+        /// Total internal reflections on the way.
+        total_reflections: u16,
+    },
+    /// It ends inside.
+    Absorbed,
+}
+
+/// What a flat element of a window does to light.
+///
+/// Directions are those in which light travels, in the element's own axes: x along the cuts, y up, z from the outside
+/// to the room. The sign of `incident.z` says which side the light arrives on.
+pub trait Glazing: Send + Sync {
+    /// Every specular direction that leaves, with its share of the power: exact, no random numbers.
+    fn lobes(&self, incident: Direction, out: &mut Lobes);
+
+    /// One direction that leaves, drawn with probability proportional to its power.
+    /// `u` are uniform numbers in [0, 1); the last seeds whatever further numbers the way needs.
+    fn scatter(&self, incident: Direction, u: [f64; 3]) -> Scattered;
+}
