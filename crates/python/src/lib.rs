@@ -1,1 +1,10 @@
-//! x
+//! The native half of the Python package: conversions, no physics. One file a crate, added to the module here.
+
+use pyo3::prelude::*;
+
+/// Exact light and Monte Carlo walks behind the `clerestory` package.
+#[pymodule]
+fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    Ok(())
+}

@@ -1,0 +1,3 @@
+"""The compiled half of the package: what ``crates/python`` exposes."""
+
+__version__: str
