@@ -2,7 +2,11 @@
 
 mod direction;
 mod frame;
+mod rng;
+mod sobol;
 
 pub use direction::Direction;
 pub use frame::Frame;
 pub use glam::DVec3 as Vec3;
+pub use rng::Rng;
+pub use sobol::{DIMENSIONS as SOBOL_DIMENSIONS, Sobol};
