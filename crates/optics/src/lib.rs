@@ -1,10 +1,15 @@
 //! What smooth boundaries and clear media do to light: Snell, Fresnel, total internal reflection, polarisation,
 //! absorption, and the one door, [`Glazing`], by which a room knows a window.
 
+mod error;
+pub mod formulas;
 mod glazing;
 mod interface;
+mod medium;
 mod stokes;
 
+pub use error::OpticsError;
 pub use glazing::{Glazing, Lobe, Lobes, Scattered, Side};
 pub use interface::{Interface, Split, mirror, refract};
+pub use medium::{Absorption, Dispersion, Law, Medium, Table, medium_names};
 pub use stokes::{Mueller, Stokes, reference_axes};
