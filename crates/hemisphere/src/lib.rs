@@ -1,10 +1,12 @@
-//! Unit directions, orthonormal frames and well-spread random numbers: the geometry that every other crate rests on.
+//! Unit directions, orthonormal frames, bases of the sky and well-spread random numbers: the geometry that every other crate rests on.
 
+mod basis;
 mod direction;
 mod frame;
 mod rng;
 mod sobol;
 
+pub use basis::{Order, PatchBounds, Ring, SkyBasis, towards};
 pub use direction::Direction;
 pub use frame::Frame;
 pub use glam::DVec3 as Vec3;
