@@ -83,9 +83,7 @@ def check_tools():
     version = re.match(r"rustc (\d+)\.(\d+)", rust)
     if version is None or said_by("cargo", "--version") is None:
         missing = "rustc" if version is None else "cargo"
-        stop(
-            f"{missing} is needed (Rust 1.85 or newer): install the Rust toolchain with rustup, rust-lang.org/tools/install"
-        )
+        stop(f"{missing} is needed (Rust 1.85 or newer): install Rust with rustup, see rust-lang.org/tools/install")
     if tuple(map(int, version.groups())) < RUST_NEEDED:
         stop(f"Rust 1.85 or newer is needed, found {rust.split()[1]}: run `rustup update stable`")
     if os.name != "nt" and said_by("cc", "--version") is None:
@@ -174,7 +172,7 @@ def prepare():
     if said_by(PYTHON, "-c", "import pip, sys; sys.exit(sys.version_info < (3, 10))") is None:
         make_environment()
     once("packages", read(os.path.join(ROOT, "requirements", "lock.txt")), lambda: install("requirements/lock.txt"))
-    once("native", (rust, cargo_variables(), rust_sources()), build, native_module)
+    once("native", (ROOT, rust, cargo_variables(), rust_sources()), build, native_module)
 
 
 def run():
