@@ -1,5 +1,7 @@
 //! Unit directions, orthonormal frames, bases of the sky and well-spread random numbers: the geometry that every other crate rests on.
 
+#![warn(clippy::unwrap_used, clippy::expect_used)]
+
 mod basis;
 mod direction;
 mod frame;

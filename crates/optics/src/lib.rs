@@ -1,6 +1,8 @@
 //! What smooth boundaries and clear media do to light: Snell, Fresnel, total internal reflection, polarisation,
 //! absorption, and the one door, [`Glazing`], by which a room knows a window.
 
+#![warn(clippy::unwrap_used, clippy::expect_used)]
+
 mod error;
 pub mod formulas;
 mod glazing;

@@ -1,5 +1,7 @@
 //! The native half of the Python package: conversions, no physics. One file a crate, added to the module here.
 
+#![warn(clippy::unwrap_used, clippy::expect_used)]
+
 use pyo3::prelude::*;
 
 /// Exact light and Monte Carlo walks behind the `clerestory` package.

@@ -28,7 +28,7 @@ pub(super) fn rings_named(name: &str) -> Option<Vec<Ring>> {
         _ => {
             let patches: usize = name.strip_prefix("reinhart")?.parse().ok()?;
             let mf = (patches.checked_sub(1)? as f64 / 144.0).sqrt().round() as usize;
-            (mf >= 1 && mf <= 64 && 144 * mf * mf + 1 == patches).then(|| reinhart(mf))
+            ((1..=64).contains(&mf) && 144 * mf * mf + 1 == patches).then(|| reinhart(mf))
         }
     }
 }
