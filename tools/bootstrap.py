@@ -172,7 +172,7 @@ def prepare():
     if said_by(PYTHON, "-c", "import pip, sys; sys.exit(sys.version_info < (3, 10))") is None:
         make_environment()
     once("packages", read(os.path.join(ROOT, "requirements", "lock.txt")), lambda: install("requirements/lock.txt"))
-    once("native", (ROOT, rust, cargo_variables(), rust_sources()), build, native_module)
+    once("native", (ROOT, rust, os.environ.get("RUSTFLAGS"), cargo_variables(), rust_sources()), build, native_module)
 
 
 def run():

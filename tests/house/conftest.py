@@ -1,11 +1,14 @@
 """What the rules of the house are applied to: the project's own files."""
 
+import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).parents[2]
+MADE = {".venv", "target", "out", "dist", "build", "site", "node_modules", "__pycache__"}
+MADE |= {".git", ".pytest_cache", ".ruff_cache", ".mypy_cache", ".hypothesis"}
 
 
 @pytest.fixture(scope="session")
@@ -16,10 +19,14 @@ def root() -> Path:
 
 @pytest.fixture(scope="session")
 def files(root: Path) -> list[Path]:
-    """Every file of the project: tracked, or new and not ignored."""
+    """Every file of the project: tracked, or new and not ignored; without git, all but what the jobs make."""
     command = ["git", "ls-files", "--cached", "--others", "--exclude-standard", "-z"]
-    names = subprocess.run(command, cwd=root, capture_output=True, check=True, text=True).stdout.split("\0")
-    return [root / name for name in sorted(set(names)) if name and (root / name).is_file()]
+    if (root / ".git").exists() and shutil.which("git"):
+        listed = subprocess.run(command, cwd=root, capture_output=True, check=True, text=True).stdout.split("\0")
+        paths = {root / name for name in listed if name}
+    else:
+        paths = {path for path in root.rglob("*") if not MADE & set(path.relative_to(root).parts)}
+    return sorted(path for path in paths if path.is_file())
 
 
 @pytest.fixture(scope="session")

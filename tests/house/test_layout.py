@@ -80,6 +80,16 @@ def test_locks_hold_every_package_by_hash(root: Path) -> None:
         assert not unlocked, f"{lock.name}: {unlocked}"
 
 
+def test_locks_hold_every_declared_package(root: Path) -> None:
+    project = tomllib.loads((root / "pyproject.toml").read_text())["project"]
+    extras = project["optional-dependencies"]
+    declared = {"lock.txt": [*project["dependencies"], *extras["test"], *extras["dev"]], "bench.txt": extras["bench"]}
+    for lock, requirements in declared.items():
+        locked = set(re.findall(r"^([\w.-]+)==", (root / "requirements" / lock).read_text(), re.MULTILINE))
+        names = {re.match(r"[\w.-]+", requirement)[0].lower().replace("_", "-") for requirement in requirements}
+        assert names <= locked, f"make {lock} again, as CONTRIBUTING.md says: {sorted(names - locked)}"
+
+
 def test_public_names_are_documented() -> None:
     import clerestory
 
