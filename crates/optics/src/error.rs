@@ -13,10 +13,12 @@ pub enum OpticsError {
     },
     /// A medium that would amplify.
     #[error(
-        "absorption must be finite and not negative, got {value}{}; use 0 for a lossless medium",
+        "{quantity} must be finite and not negative, got {value}{}; use 0 for a lossless medium",
         at(.wavelength_nm)
     )]
     NegativeAbsorption {
+        /// The name of what was given.
+        quantity: &'static str,
         /// The absorption or extinction coefficient found.
         value: f64,
         /// The wavelength it was found at, if it depends on one [nm].

@@ -2,11 +2,15 @@
 
 #![warn(clippy::unwrap_used, clippy::expect_used)]
 
+mod errors;
+mod optics;
+
 use pyo3::prelude::*;
 
 /// Exact light and Monte Carlo walks behind the `clerestory` package.
 #[pymodule]
 fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    optics::register(module)?;
     Ok(())
 }

@@ -18,22 +18,22 @@ pub enum Absorption {
 impl Absorption {
     /// By the quantity's name and numbers: `constant` α, or `per_mm` and `extinction` as λ₁, value₁, λ₂, value₂ … [nm].
     pub fn from_values(quantity: &str, values: &[f64]) -> Result<Self, OpticsError> {
-        let table = || {
+        let table = |quantity| {
             if values.len() % 2 == 1 {
                 let rule = "pairs of wavelength and value (an even number)";
                 return Err(OpticsError::CoefficientCount { law: "tabulated", rule, count: values.len() });
             }
             let table = Table::new(&values.chunks_exact(2).map(|p| (p[0], p[1])).collect::<Vec<_>>())?;
-            table.pairs().try_for_each(|(w, value)| checked(value, Some(w)).map(drop))?;
+            table.pairs().try_for_each(|(w, value)| checked(quantity, value, Some(w)).map(drop))?;
             Ok(table)
         };
         match quantity {
             "constant" => match values {
-                [alpha] => Ok(Self::Constant(checked(*alpha, None)?)),
+                [alpha] => Ok(Self::Constant(checked("absorption_per_mm", *alpha, None)?)),
                 _ => Err(OpticsError::CoefficientCount { law: "constant", rule: "one", count: values.len() }),
             },
-            "per_mm" => Ok(Self::PerMm(table()?)),
-            "extinction" => Ok(Self::Extinction(table()?)),
+            "per_mm" => Ok(Self::PerMm(table("absorption_per_mm")?)),
+            "extinction" => Ok(Self::Extinction(table("extinction")?)),
             name => Err(OpticsError::UnknownQuantity { name: name.to_owned() }),
         }
     }
@@ -69,10 +69,10 @@ impl Absorption {
 }
 
 /// The coefficient, if a passive medium can have it.
-fn checked(value: f64, wavelength_nm: Option<f64>) -> Result<f64, OpticsError> {
+fn checked(quantity: &'static str, value: f64, wavelength_nm: Option<f64>) -> Result<f64, OpticsError> {
     if value.is_finite() && value >= 0.0 {
         Ok(value)
     } else {
-        Err(OpticsError::NegativeAbsorption { value, wavelength_nm })
+        Err(OpticsError::NegativeAbsorption { quantity, value, wavelength_nm })
     }
 }

@@ -1,0 +1,85 @@
+"""Measured glass: angular values against those of Berkeley Lab's WINDOW engine, and files that are refused."""
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from clerestory.errors import ClerestoryError
+from clerestory.measured_glass import measured_glass
+
+DATA = Path(__file__).parent / "data"
+
+
+def reference(file):
+    """Incidence, visible transmittance and front reflectance by pywincalc, printed to five decimals."""
+    with (DATA / "glass_angular_pywincalc.csv").open(encoding="utf-8") as lines:
+        rows = csv.DictReader(line for line in lines if not line.startswith("#"))
+        return np.array(
+            [[float(row[key]) for key in ("theta_deg", "Tvis", "Rvis_front")] for row in rows if row["file"] == file]
+        ).T
+
+
+@pytest.mark.parametrize("file", ["CLEAR_3.DAT", "CLEAR_6.DAT"])
+def test_visible_values_at_every_angle_are_those_of_window(file):
+    """Half a unit of the fifth decimal is the table's rounding; as much again for another table of the illuminant."""
+    incidence_deg, transmittance, reflectance = reference(file)
+    assert incidence_deg.size == 18
+    ours = measured_glass(DATA / file).photopic(incidence_deg)
+    assert np.abs(ours.transmittance - transmittance).max() < 1e-5
+    assert np.abs(ours.reflectance - reflectance).max() < 1e-5
+
+
+def test_normal_incidence_gives_the_measurement_back():
+    glass = measured_glass(DATA / "CLEAR_3.DAT")
+    front, back = glass.spectral(0.0), glass.spectral(0.0, side="back")
+    np.testing.assert_allclose(front.transmittance, glass.transmittance, atol=1e-13)
+    np.testing.assert_allclose(front.reflectance, glass.reflectance_front, atol=1e-13)
+    np.testing.assert_allclose(back.reflectance, glass.reflectance_back, atol=1e-13)
+
+
+def test_heading_is_read():
+    glass = measured_glass(DATA / "CLEAR_6.DAT")
+    assert (glass.name, glass.thickness_mm) == ("Generic Clear Glass", 5.715)
+    assert (glass.wavelength_nm[0], glass.wavelength_nm[-1]) == (300.0, 2500.0)
+
+
+HEADING = "{ Units, Wavelength Units } SI Microns\n{ Thickness } 3.0\n{ Coated Side: Neither }\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (HEADING + "0.38 0.9 0.08 0.08\n0.39 0.9 0.08\n", r"line 5: a row must be wavelength, T, Rf, Rb, got '0\.39"),
+        (HEADING + "0.38 0.9 0.08 0.08\n0.38 0.9 0.08 0.08\n", r"line 5: wavelengths must .*increase"),
+        (HEADING + "0.38 90 8 8\n0.39 90 8 8\n", r"line 4: T and R .*not per cent"),
+        (HEADING + "0.38 0.9 0.08 nan\n", r"line 4: a row must be"),
+        (HEADING, r"two or more rows .*got 0"),
+        ("{ Thickness } 3.0\n{ Coated Side: Front }\n0.38 .9 .08 .08\n0.39 .9 .08 .08\n", r"coated side must be"),
+        ("0.38 0.9 0.08 0.08\n0.78 0.9 0.08 0.08\n", r"must have a heading \{ Thickness \}"),
+        (
+            "{ Thickness } thin\n0.38 0.9 0.08 0.08\n0.78 0.9 0.08 0.08\n",
+            r"thickness must be a number .*got 'thin'",
+        ),
+        ("{ Thickness } -3\n0.38 0.9 0.08 0.08\n0.78 0.9 0.08 0.08\n", r"thickness must be .*got -3"),
+        ("{ Units, Wavelength Units } cm\n{ Thickness } 3\n1 .9 .08 .08\n2 .9 .08 .08\n", r"wavelength units must be"),
+    ],
+)
+def test_mistakes_name_file_and_line(tmp_path, text, message):
+    path = tmp_path / "pane.dat"
+    path.write_text(text)
+    with pytest.raises(ClerestoryError, match=f"pane.dat.*{message}"):
+        measured_glass(path)
+
+
+def test_missing_file_is_named(tmp_path):
+    with pytest.raises(ClerestoryError, match=r"none\.dat must be a readable file"):
+        measured_glass(tmp_path / "none.dat")
+
+
+def test_spectrum_short_of_the_visible_is_refused(tmp_path):
+    path = tmp_path / "pane.dat"
+    path.write_text(HEADING + "0.40 0.9 0.08 0.08\n0.70 0.9 0.08 0.08\n")
+    with pytest.raises(ClerestoryError, match="must span 380 to 780 nm, got 400 to 700"):
+        measured_glass(path).photopic(0.0)
