@@ -1,1 +1,19 @@
-//! x
+//! Light-redirecting panels: from the drawing of a cross-section to where every part of the light goes.
+
+pub mod error;
+pub mod facet;
+pub mod flux;
+pub mod media;
+pub mod panel;
+pub mod plane;
+pub mod profile;
+pub mod shape;
+pub mod topology;
+
+pub use error::PanelError;
+pub use facet::{AIR, Facet, Finish, MediumId, Surface};
+pub use media::{Media, Optical};
+pub use panel::{Beam, Outcome, Panel, Polarisation, Sample, Shares, Workspace, incident_direction};
+pub use plane::Vec2;
+pub use profile::Profile;
+pub use topology::HalfEdge;

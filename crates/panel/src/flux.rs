@@ -1,0 +1,11 @@
+//! The exact optics of a panel: finitely many parallel beams, no random numbers.
+
+mod attenuation;
+mod density;
+mod directions;
+mod payload;
+mod sight;
+mod solver;
+
+pub use payload::{Payload, film_reflectance};
+pub use solver::{Limits, Solver};

@@ -1,0 +1,183 @@
+//! What a beam carries: power alone, s and p apart, or a Stokes vector.
+
+use optics::{Mueller, Split, Stokes};
+
+/// A boundary's action on what a beam carries.
+#[derive(Clone, Copy, Debug)]
+pub struct Actions<A> {
+    /// On the part that is mirrored.
+    pub reflected: A,
+    /// On the part that goes through.
+    pub transmitted: A,
+}
+
+/// What a beam carries, and how boundaries act on it.
+pub trait Payload: Copy + std::fmt::Debug + Send {
+    /// A linear action on it.
+    type Action: Copy + std::fmt::Debug + Send;
+    /// Nothing.
+    const ZERO: Self;
+    /// Unpolarised light of power one.
+    const UNPOLARISED: Self;
+    /// Power.
+    fn power(self) -> f64;
+    /// Largest component, without its sign.
+    fn largest(self) -> f64;
+    /// Sum.
+    fn plus(self, other: Self) -> Self;
+    /// Multiple.
+    fn times(self, factor: f64) -> Self;
+    /// After a boundary.
+    fn after(self, action: &Self::Action) -> Self;
+    /// What `split` does to light along `arriving` that is mirrored along `mirrored` or goes on along `through`;
+    /// `s` is the axis across the plane of incidence, `is_film` a gap of no width.
+    fn actions(split: Split, is_film: bool, turns: &Turns) -> Actions<Self::Action>;
+    /// As a Stokes vector about the reference axes of its direction.
+    fn stokes(self) -> Stokes;
+}
+
+/// The turns between the reference axes of the three beams at a boundary and its plane of incidence.
+#[derive(Clone, Copy, Debug)]
+pub struct Turns {
+    /// Arriving beam, into the plane of incidence.
+    pub arriving: Mueller,
+    /// Out of it, for the mirrored beam.
+    pub mirrored: Mueller,
+    /// Out of it, for the beam that goes through.
+    pub through: Mueller,
+}
+
+/// Share of unpolarised power that a gap of no width mirrors, if each of its faces mirrors `r`
+/// (theory/panels.md, eq. 6).
+pub fn film_reflectance(r: f64) -> f64 {
+    2.0 * r / (1.0 + r)
+}
+
+/// Power alone: light is unpolarised again at every hit.
+impl Payload for f64 {
+    type Action = f64;
+    const ZERO: Self = 0.0;
+    const UNPOLARISED: Self = 1.0;
+
+    #[inline]
+    fn power(self) -> f64 {
+        self
+    }
+    #[inline]
+    fn largest(self) -> f64 {
+        self.abs()
+    }
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        self + other
+    }
+    #[inline]
+    fn times(self, factor: f64) -> Self {
+        self * factor
+    }
+    #[inline]
+    fn after(self, action: &f64) -> Self {
+        self * action
+    }
+
+    fn actions(split: Split, is_film: bool, _: &Turns) -> Actions<f64> {
+        let reflected = match split {
+            Split::Total { .. } => 1.0,
+            Split::Partial { amplitude_s: s, amplitude_p: p, .. } => {
+                let r = 0.5 * (s * s + p * p);
+                if is_film { film_reflectance(r) } else { r }
+            }
+        };
+        Actions { reflected, transmitted: 1.0 - reflected }
+    }
+
+    fn stokes(self) -> Stokes {
+        [self, 0.0, 0.0, 0.0]
+    }
+}
+
+/// Powers of s and p light in a plane of incidence that never turns: incidence across the cuts.
+impl Payload for [f64; 2] {
+    type Action = [f64; 2];
+    const ZERO: Self = [0.0; 2];
+    const UNPOLARISED: Self = [0.5; 2];
+
+    #[inline]
+    fn power(self) -> f64 {
+        self[0] + self[1]
+    }
+    #[inline]
+    fn largest(self) -> f64 {
+        self.iter().fold(0.0, |most: f64, x| most.max(x.abs()))
+    }
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        [self[0] + other[0], self[1] + other[1]]
+    }
+    #[inline]
+    fn times(self, factor: f64) -> Self {
+        self.map(|x| x * factor)
+    }
+    #[inline]
+    fn after(self, action: &[f64; 2]) -> Self {
+        [self[0] * action[0], self[1] * action[1]]
+    }
+
+    fn actions(split: Split, is_film: bool, _: &Turns) -> Actions<[f64; 2]> {
+        let reflected = match split {
+            Split::Total { .. } => [1.0; 2],
+            Split::Partial { amplitude_s: s, amplitude_p: p, .. } => {
+                [s * s, p * p].map(|r| if is_film { film_reflectance(r) } else { r })
+            }
+        };
+        Actions { reflected, transmitted: reflected.map(|r| 1.0 - r) }
+    }
+
+    fn stokes(self) -> Stokes {
+        [self[0] + self[1], self[0] - self[1], 0.0, 0.0]
+    }
+}
+
+/// Full polarisation, in skew planes of incidence too.
+impl Payload for Stokes {
+    type Action = Mueller;
+    const ZERO: Self = [0.0; 4];
+    const UNPOLARISED: Self = [1.0, 0.0, 0.0, 0.0];
+
+    #[inline]
+    fn power(self) -> f64 {
+        self[0]
+    }
+    #[inline]
+    fn largest(self) -> f64 {
+        self.iter().fold(0.0, |most: f64, x| most.max(x.abs()))
+    }
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        [self[0] + other[0], self[1] + other[1], self[2] + other[2], self[3] + other[3]]
+    }
+    #[inline]
+    fn times(self, factor: f64) -> Self {
+        self.map(|x| x * factor)
+    }
+    #[inline]
+    fn after(self, action: &Mueller) -> Self {
+        action.apply(self)
+    }
+
+    fn actions(split: Split, is_film: bool, turns: &Turns) -> Actions<Mueller> {
+        let (reflected, transmitted) = if is_film {
+            (Mueller::reflected_by_film(split), Mueller::transmitted_by_film(split))
+        } else {
+            (Mueller::reflected(split), Mueller::transmitted(split))
+        };
+        Actions {
+            reflected: turns.mirrored.after(&reflected).after(&turns.arriving),
+            transmitted: turns.through.after(&transmitted).after(&turns.arriving),
+        }
+    }
+
+    fn stokes(self) -> Stokes {
+        self
+    }
+}

@@ -1,0 +1,413 @@
+//! The exact solver: plane waves between facets, split by Fresnel, merged wherever they meet again.
+//!
+//! Light that arrives at one hand of a facet in one direction is a *bundle*: a density along the facet. The strongest bundle
+//! is taken, split into a mirrored and a refracted part, and each part handed to the facets it sees, where it is added to
+//! what already waits there. The work grows with the number of bundles, not with the number of paths
+//! (theory/panels.md, section "The exact solver").
+
+use super::{
+    attenuation::{dimmed, parts},
+    density::{Density, Piece},
+    directions::{DirectionId, Directions},
+    payload::{Payload, Turns},
+    sight::{Sight, Source, Target, look},
+};
+use crate::{facet::Surface, media::Media, plane::Vec2, profile::Profile, topology::HalfEdge};
+use hemisphere::Vec3;
+use optics::{Interface, Mueller, Split};
+
+/// When to stop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Share of the incident power that may stay unfollowed.
+    pub tolerance: f64,
+    /// Pieces of light to follow at most.
+    pub most_pieces: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { tolerance: 1e-6, most_pieces: 2_000_000 }
+    }
+}
+
+/// Share of the tolerance that joining neighbours may displace in all, and at one joint.
+const DISPLACED_SHARE: f64 = 1.0;
+const MERGE_SHARE: f64 = 1e-3;
+
+/// Light that has left.
+#[derive(Clone, Copy, Debug)]
+pub struct Leaving<P> {
+    /// Where it travels.
+    pub direction: DirectionId,
+    /// What it carries.
+    pub light: P,
+    /// Least number of total reflections on its way.
+    pub total_reflections: u16,
+}
+
+/// Light leaving one hand of a facet in one direction: what it sees.
+#[derive(Clone, Copy, Debug)]
+struct Channel {
+    from: HalfEdge,
+    direction: DirectionId,
+    /// Its stretches, in `Solver::stretches`.
+    first: u32,
+    last: u32,
+    /// Absorption per unit of distance within the section.
+    absorption: f64,
+}
+
+/// A sight whose target has been looked up.
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    sight: Sight,
+    sink: Sink,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Sink {
+    Bundle(u32),
+    Leaving(u32),
+    Nowhere,
+}
+
+/// Where a part of a bundle goes on.
+#[derive(Clone, Copy, Debug)]
+struct Exit<A> {
+    channel: u32,
+    action: A,
+    adds_total_reflection: bool,
+}
+
+/// Light that arrives at one hand of a facet in one direction.
+#[derive(Clone, Debug)]
+struct Bundle<P: Payload> {
+    at: HalfEdge,
+    direction: DirectionId,
+    density: Density<P>,
+    /// Where it goes: known once it has been taken for the first time.
+    exits: Option<[Option<Exit<P::Action>>; 2]>,
+}
+
+/// The working memory of the solver; used again from one direction to the next.
+#[derive(Debug)]
+pub struct Solver<P: Payload> {
+    directions: Directions,
+    channels: Vec<Channel>,
+    stretches: Vec<Stretch>,
+    bundles: Vec<Bundle<P>>,
+    bundle_count: usize,
+    /// Power that waits in each bundle.
+    waiting: Vec<f64>,
+    leaving: Vec<Leaving<P>>,
+    absorbed: f64,
+    lost: f64,
+    /// Power moved by joining neighbours that hardly differ, and how much of that is allowed.
+    displaced: f64,
+    allowance: f64,
+    pieces: u64,
+    sights: Vec<Sight>,
+    taken: Density<P>,
+}
+
+impl<P: Payload> Default for Solver<P> {
+    fn default() -> Self {
+        Self {
+            directions: Directions::default(),
+            channels: Vec::new(),
+            stretches: Vec::new(),
+            bundles: Vec::new(),
+            bundle_count: 0,
+            waiting: Vec::new(),
+            leaving: Vec::new(),
+            absorbed: 0.0,
+            lost: 0.0,
+            displaced: 0.0,
+            allowance: 0.0,
+            pieces: 0,
+            sights: Vec::new(),
+            taken: Density::default(),
+        }
+    }
+}
+
+impl<P: Payload> Solver<P> {
+    /// Follows a plane wave that travels along `incident` (a unit vector with z ≠ 0) until no more than the tolerance waits.
+    pub fn solve(&mut self, profile: &Profile, media: &Media, incident: Vec3, limits: Limits) {
+        self.reset(incident.x);
+        self.allowance = DISPLACED_SHARE * limits.tolerance;
+        let medium = if incident.z > 0.0 { profile.front() } else { profile.back() };
+        let direction = self.directions.enter(incident, medium, media.get(medium).n);
+        let (z_min, z_max) = profile.z_range();
+        let z = if incident.z > 0.0 { z_min } else { z_max };
+        let sky = Source { start: Vec2::new(z, 0.0), end: Vec2::new(z, profile.period()), hand: None, medium };
+        let entry = self.open_channel(profile, media, sky, direction);
+        self.emit(entry, 0.0, 1.0, Piece { mean: P::UNPOLARISED, slope: P::ZERO, total_reflections: 0 });
+        while self.pieces < limits.most_pieces {
+            let mut strongest = (0, 0.0);
+            let mut waiting = 0.0;
+            for (i, &power) in self.waiting.iter().enumerate() {
+                waiting += power;
+                if power > strongest.1 {
+                    strongest = (i, power);
+                }
+            }
+            if waiting <= limits.tolerance {
+                break;
+            }
+            self.take(profile, media, strongest.0);
+        }
+    }
+
+    /// What has left, by direction.
+    pub fn leaving(&self) -> &[Leaving<P>] {
+        &self.leaving
+    }
+
+    /// The three-dimensional direction of `id`.
+    pub fn direction(&self, id: DirectionId) -> Vec3 {
+        self.directions.vector(id)
+    }
+
+    /// Share of the power absorbed.
+    pub fn absorbed(&self) -> f64 {
+        self.absorbed
+    }
+
+    /// Share that still waits or runs along the sheet for ever.
+    pub fn residual(&self) -> f64 {
+        self.lost + self.waiting.iter().sum::<f64>()
+    }
+
+    /// Share that runs along the sheet for ever.
+    pub fn lost(&self) -> f64 {
+        self.lost
+    }
+
+    /// Power displaced along facets by joining neighbours that hardly differ: a bound on the error of that.
+    pub fn displaced(&self) -> f64 {
+        self.displaced
+    }
+
+    /// Pieces of light followed.
+    pub fn pieces(&self) -> u64 {
+        self.pieces
+    }
+
+    /// What still waits: where, in which direction, over which stretch of the facet.
+    pub fn waiting(&self) -> impl Iterator<Item = (HalfEdge, Vec3, f64, f64, &Piece<P>)> {
+        self.bundles[..self.bundle_count].iter().flat_map(|b| {
+            let vector = self.directions.vector(b.direction);
+            b.density.lit().map(move |(start, end, piece)| (b.at, vector, start, end, piece))
+        })
+    }
+
+    fn reset(&mut self, k_x: f64) {
+        self.directions.reset(k_x);
+        self.channels.clear();
+        self.stretches.clear();
+        self.bundle_count = 0;
+        self.waiting.clear();
+        self.leaving.clear();
+        (self.absorbed, self.lost, self.displaced, self.pieces) = (0.0, 0.0, 0.0, 0);
+    }
+
+    /// Takes all that waits in a bundle and sends it on.
+    fn take(&mut self, profile: &Profile, media: &Media, index: usize) {
+        let exits = match self.bundles[index].exits {
+            Some(exits) => exits,
+            None => {
+                let exits = self.split_bundle(profile, media, index);
+                self.bundles[index].exits = Some(exits);
+                exits
+            }
+        };
+        let mut taken = std::mem::take(&mut self.taken);
+        self.bundles[index].density.pour_into(&mut taken);
+        if self.displaced < self.allowance {
+            self.displaced += taken.coarsen(self.allowance * MERGE_SHARE);
+        }
+        self.waiting[index] = 0.0;
+        for exit in exits.into_iter().flatten() {
+            for (start, end, piece) in taken.lit() {
+                let sent = Piece {
+                    mean: piece.mean.after(&exit.action),
+                    slope: piece.slope.after(&exit.action),
+                    total_reflections: piece.total_reflections.saturating_add(u16::from(exit.adds_total_reflection)),
+                };
+                self.emit(exit.channel, start, end, sent);
+            }
+        }
+        taken.clear();
+        self.taken = taken;
+    }
+
+    /// Snell and Fresnel for a bundle: the part that is mirrored and the part that goes through.
+    fn split_bundle(&mut self, profile: &Profile, media: &Media, index: usize) -> [Option<Exit<P::Action>>; 2] {
+        let Bundle { at, direction, .. } = self.bundles[index];
+        let facet = &profile.facets()[at.facet()];
+        let tangent = (facet.end - facet.start).normalized() * at.sign();
+        // the normal points back to the side the light comes from
+        let normal = tangent.left();
+        let d = self.directions.in_section(direction);
+        let arriving = self.directions.vector(direction);
+        let cos_i = -(arriving.z * normal.z + arriving.y * normal.y);
+        let n_i = media.get(profile.medium(at)).n;
+        let (film, n_t) = match facet.surface {
+            Surface::Film(gap) => (true, media.get(gap).n),
+            Surface::Interface => (false, media.get(profile.medium(at.other())).n),
+        };
+        let split = Interface { n_i, n_t }.split(cos_i.clamp(0.0, 1.0));
+        let mirrored = self.directions.add(d - normal * (2.0 * d.dot(normal)), direction);
+        let through = match split {
+            Split::Total { .. } => None,
+            Split::Partial { .. } if film => Some(direction),
+            Split::Partial { .. } => {
+                let medium = profile.medium(at.other());
+                self.directions.refract(direction, tangent, normal, medium, media.get(medium).n)
+            }
+        };
+        let turns = self.turns(arriving, normal, mirrored, through);
+        let actions = P::actions(split, film, &turns);
+        let is_total = matches!(split, Split::Total { .. });
+        let mirrored = Exit {
+            channel: self.channel(profile, media, at, mirrored),
+            action: actions.reflected,
+            adds_total_reflection: is_total,
+        };
+        let through = through.map(|id| Exit {
+            channel: self.channel(profile, media, at.other(), id),
+            action: actions.transmitted,
+            adds_total_reflection: false,
+        });
+        [Some(mirrored), through]
+    }
+
+    fn turns(&self, arriving: Vec3, normal: Vec2, mirrored: DirectionId, through: Option<DirectionId>) -> Turns {
+        let normal = Vec3::new(0.0, normal.y, normal.z);
+        // across the plane of incidence; at normal incidence any axis will do
+        let across = normal.cross(arriving);
+        let s = if across.length_squared() > 1e-24 { across.normalize() } else { optics::reference_axes(arriving).0 };
+        let out = |id: DirectionId| Mueller::out_of_plane(self.directions.vector(id), s);
+        let mirrored = out(mirrored);
+        Turns { arriving: Mueller::into_plane(arriving, s), mirrored, through: through.map_or(mirrored, out) }
+    }
+
+    /// The channel from this hand in this direction, opened on first use.
+    fn channel(&mut self, profile: &Profile, media: &Media, from: HalfEdge, direction: DirectionId) -> u32 {
+        let known = self.channels.iter().position(|c| c.direction == direction && c.from == from);
+        if let Some(i) = known {
+            return i as u32;
+        }
+        let facet = &profile.facets()[from.facet()];
+        let source = Source { start: facet.start, end: facet.end, hand: Some(from), medium: profile.medium(from) };
+        self.open_channel(profile, media, source, direction)
+    }
+
+    fn open_channel(&mut self, profile: &Profile, media: &Media, source: Source, direction: DirectionId) -> u32 {
+        let mut sights = std::mem::take(&mut self.sights);
+        look(profile, source, self.directions.in_section(direction), &mut sights);
+        let first = self.stretches.len() as u32;
+        for &sight in &sights {
+            let sink = match sight.target {
+                Target::Facet(hand, _) => Sink::Bundle(self.bundle(hand, direction)),
+                Target::Outside => Sink::Leaving(self.exit(direction)),
+                Target::Nowhere => Sink::Nowhere,
+            };
+            self.stretches.push(Stretch { sight, sink });
+        }
+        self.sights = sights;
+        let absorption = media.get(source.medium).absorption * self.directions.lengthening(direction);
+        // the sky is no facet: its channel is found by no later search
+        let from = source.hand.unwrap_or(HalfEdge(u32::MAX));
+        self.channels.push(Channel { from, direction, first, last: self.stretches.len() as u32, absorption });
+        (self.channels.len() - 1) as u32
+    }
+
+    fn bundle(&mut self, at: HalfEdge, direction: DirectionId) -> u32 {
+        let known = self.bundles[..self.bundle_count].iter().position(|b| b.direction == direction && b.at == at);
+        if let Some(i) = known {
+            return i as u32;
+        }
+        let i = self.bundle_count;
+        if i == self.bundles.len() {
+            self.bundles.push(Bundle { at, direction, density: Density::default(), exits: None });
+        } else {
+            let b = &mut self.bundles[i];
+            (b.at, b.direction, b.exits) = (at, direction, None);
+            b.density.clear();
+        }
+        self.bundle_count += 1;
+        self.waiting.push(0.0);
+        i as u32
+    }
+
+    fn exit(&mut self, direction: DirectionId) -> u32 {
+        let known = self.leaving.iter().position(|l| l.direction == direction);
+        known.unwrap_or_else(|| {
+            self.leaving.push(Leaving { direction, light: P::ZERO, total_reflections: u16::MAX });
+            self.leaving.len() - 1
+        }) as u32
+    }
+
+    /// Hands a piece of light that leaves through a channel to all that the channel sees.
+    fn emit(&mut self, channel: u32, start: f64, end: f64, piece: Piece<P>) {
+        let Channel { first, last, absorption, .. } = self.channels[channel as usize];
+        let middle = 0.5 * (start + end);
+        let skipped = self.stretches[first as usize..last as usize].partition_point(|s| s.sight.end <= start) as u32;
+        // what rounding put beyond the ends belongs to the outermost stretches
+        for i in (first + skipped).min(last - 1)..last {
+            let Stretch { sight, sink } = self.stretches[i as usize];
+            let from = if i == first { start } else { start.max(sight.start) };
+            let to = if i + 1 == last { end } else { end.min(sight.end) };
+            if to <= from {
+                break;
+            }
+            self.pieces += 1;
+            let part = |a: f64, b: f64| Piece { mean: piece.at(0.5 * (a + b) - middle), ..piece };
+            match sink {
+                Sink::Leaving(i) => {
+                    let leaving = &mut self.leaving[i as usize];
+                    leaving.light = leaving.light.plus(part(from, to).mean.times(to - from));
+                    leaving.total_reflections = leaving.total_reflections.min(piece.total_reflections);
+                }
+                Sink::Nowhere => self.lost += part(from, to).mean.power() * (to - from),
+                Sink::Bundle(i) if absorption == 0.0 => self.arrive(i, &sight, from, to, part(from, to)),
+                Sink::Bundle(i) => {
+                    // where absorption changes much along the piece, its parts are dimmed one by one
+                    let count = parts(&sight, absorption, from, to);
+                    let step = (to - from) / f64::from(count);
+                    for k in 0..count {
+                        let (a, b) = (from + f64::from(k) * step, from + f64::from(k + 1) * step);
+                        let whole = part(a, b);
+                        let left = dimmed(&whole, &sight, absorption, a, b);
+                        self.absorbed += (whole.mean.power() - left.mean.power()) * (b - a);
+                        self.arrive(i, &sight, a, b, left);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds a piece that left over `from..to` of its source to the bundle it reaches.
+    fn arrive(&mut self, bundle: u32, sight: &Sight, from: f64, to: f64, piece: Piece<P>) {
+        let light = piece.mean.times(to - from);
+        let power = light.power();
+        if power == 0.0 {
+            return;
+        }
+        self.waiting[bundle as usize] += power;
+        let (offset, stretch) = sight.place;
+        let (a, b) = ((offset + stretch * from).clamp(0.0, 1.0), (offset + stretch * to).clamp(0.0, 1.0));
+        let (low, high) = (a.min(b), a.max(b));
+        let density = &mut self.bundles[bundle as usize].density;
+        if high > low {
+            // per unit of the target's length
+            let (mean, slope) = (light.times(1.0 / (high - low)), piece.slope.times(1.0 / (stretch * stretch.abs())));
+            density.add(low, high, Piece { mean, slope, ..piece });
+        } else {
+            density.add_point(low, light, piece.total_reflections);
+        }
+    }
+}

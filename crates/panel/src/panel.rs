@@ -1,0 +1,209 @@
+//! A panel: a profile, its media at one or several wavelengths, and how exactly to follow light through it.
+
+use crate::{
+    error::PanelError,
+    flux::{Limits, Payload, Solver},
+    media::Media,
+    profile::Profile,
+};
+use hemisphere::{Direction, Vec3};
+use optics::{Side, Stokes};
+use std::sync::Arc;
+
+/// How polarisation is treated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Polarisation {
+    /// Light is unpolarised again at every hit: what the literature on these panels does.
+    Averaged,
+    /// Stokes vectors are carried along each beam.
+    Resolved,
+}
+
+/// The media at one wavelength, and how much that wavelength counts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// Indices and absorption.
+    pub media: Media,
+    /// Share of the whole, all samples together 1.
+    pub weight: f64,
+}
+
+/// A light-redirecting panel, ready to be asked where light goes.
+#[derive(Clone, Debug)]
+pub struct Panel {
+    profile: Arc<Profile>,
+    spectrum: Vec<Sample>,
+    polarisation: Polarisation,
+    limits: Limits,
+}
+
+/// One parallel beam that leaves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beam {
+    /// Where it travels.
+    pub direction: Direction,
+    /// Power, as a share of the incident, and polarisation about the reference axes of the direction.
+    pub stokes: Stokes,
+    /// Least number of total internal reflections on its way.
+    pub total_reflections: u16,
+}
+
+/// All that becomes of one incident beam: the powers and `absorbed` and `residual` sum to 1.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Outcome {
+    /// The beams, strongest first, no two of one direction.
+    pub beams: Vec<Beam>,
+    /// Share absorbed.
+    pub absorbed: f64,
+    /// Share not followed to its end.
+    pub residual: f64,
+    /// Pieces of light followed.
+    pub pieces: u64,
+    /// Share that was moved along a facet to save work: a bound on the error by that.
+    pub displaced: f64,
+}
+
+/// How the light of one incident beam divides.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Shares {
+    /// Leaves on the far side.
+    pub transmittance: f64,
+    /// Leaves on the side it came from.
+    pub reflectance: f64,
+    /// Absorbed.
+    pub absorptance: f64,
+    /// Leaves on the far side with its vertical sense reversed.
+    pub transmittance_deflected: f64,
+    /// Leaves on the far side with its vertical sense kept.
+    pub transmittance_undeflected: f64,
+    /// Not followed to its end.
+    pub residual: f64,
+}
+
+/// Working memory for one thread.
+#[derive(Debug, Default)]
+pub struct Workspace {
+    averaged: Solver<f64>,
+    in_plane: Solver<[f64; 2]>,
+    skew: Solver<Stokes>,
+}
+
+impl Panel {
+    /// A panel whose media are known at every wavelength of `spectrum`.
+    pub fn new(
+        profile: Arc<Profile>,
+        spectrum: Vec<Sample>,
+        polarisation: Polarisation,
+        limits: Limits,
+    ) -> Result<Self, PanelError> {
+        if spectrum.is_empty() {
+            return Err(PanelError::Empty { name: "wavelength_nm" });
+        }
+        for sample in &spectrum {
+            sample.media.suffice_for(&profile)?;
+        }
+        if !(limits.tolerance > 0.0 && limits.tolerance < 1.0) {
+            let rule = "between 0 and 1".into();
+            return Err(PanelError::OutOfRange { name: "tolerance", rule, value: limits.tolerance });
+        }
+        Ok(Self { profile, spectrum, polarisation, limits })
+    }
+
+    /// Its cross-section.
+    pub fn profile(&self) -> &Profile {
+        &self.profile
+    }
+
+    /// Its media.
+    pub fn spectrum(&self) -> &[Sample] {
+        &self.spectrum
+    }
+
+    /// How it treats polarisation.
+    pub fn polarisation(&self) -> Polarisation {
+        self.polarisation
+    }
+
+    /// Where the light of a plane wave goes: exact, no random numbers.
+    pub fn outcome(&self, incident: Direction, workspace: &mut Workspace) -> Result<Outcome, PanelError> {
+        if !self.profile.is_smooth() {
+            return Err(PanelError::RoughCut);
+        }
+        let mut outcome = Outcome::default();
+        for sample in &self.spectrum {
+            let in_plane = incident.x.abs() < 1e-15;
+            match (self.polarisation, in_plane) {
+                (Polarisation::Averaged, _) => self.add(&mut workspace.averaged, sample, incident, &mut outcome),
+                (Polarisation::Resolved, true) => self.add(&mut workspace.in_plane, sample, incident, &mut outcome),
+                (Polarisation::Resolved, false) => self.add(&mut workspace.skew, sample, incident, &mut outcome),
+            }
+        }
+        outcome.beams.sort_by(|a, b| b.stokes[0].total_cmp(&a.stokes[0]));
+        Ok(outcome)
+    }
+
+    /// How the light of a plane wave divides.
+    pub fn shares(&self, incident: Direction, workspace: &mut Workspace) -> Result<Shares, PanelError> {
+        let outcome = self.outcome(incident, workspace)?;
+        let mut shares = Shares { absorptance: outcome.absorbed, residual: outcome.residual, ..Shares::default() };
+        for beam in &outcome.beams {
+            shares.count(incident, beam.direction.vector(), beam.stokes[0]);
+        }
+        Ok(shares)
+    }
+
+    fn add<P: Payload>(&self, solver: &mut Solver<P>, sample: &Sample, incident: Direction, outcome: &mut Outcome) {
+        solver.solve(&self.profile, &sample.media, incident.vector(), self.limits);
+        for leaving in solver.leaving() {
+            let direction = solver.direction(leaving.direction);
+            let stokes = leaving.light.times(sample.weight).stokes();
+            let is_same = |b: &&mut Beam| (b.direction.vector() - direction).length_squared() < SAME_DIRECTION;
+            match outcome.beams.iter_mut().find(is_same) {
+                Some(beam) => {
+                    beam.stokes.iter_mut().zip(stokes).for_each(|(sum, x)| *sum += x);
+                    beam.total_reflections = beam.total_reflections.min(leaving.total_reflections);
+                }
+                None => outcome.beams.push(Beam {
+                    direction: Direction::from_unit(direction),
+                    stokes,
+                    total_reflections: leaving.total_reflections,
+                }),
+            }
+        }
+        outcome.absorbed += sample.weight * solver.absorbed();
+        outcome.residual += sample.weight * solver.residual();
+        outcome.displaced += sample.weight * solver.displaced();
+        outcome.pieces += solver.pieces();
+    }
+}
+
+/// Square of the angle below which two directions are one.
+const SAME_DIRECTION: f64 = 1e-20;
+
+impl Shares {
+    /// Adds light that came along `incident` and leaves along `leaving`. Light that comes in level has no vertical sense
+    /// to reverse: all of it counts as undeflected.
+    pub fn count(&mut self, incident: Direction, leaving: Vec3, power: f64) {
+        if Side::left_along(leaving) == Side::entered_along(incident.vector()) {
+            self.reflectance += power;
+            return;
+        }
+        self.transmittance += power;
+        if leaving.y * incident.y < -1e-15 {
+            self.transmittance_deflected += power;
+        } else {
+            self.transmittance_undeflected += power;
+        }
+    }
+}
+
+/// The direction of incidence of house words: elevation > 0 from above, azimuth about the panel's y axis (NOTATION.md).
+pub fn incident_direction(elevation: f64, azimuth: f64, side: Side) -> Direction {
+    let (sin_e, cos_e) = elevation.sin_cos();
+    let (sin_a, cos_a) = azimuth.sin_cos();
+    let z = cos_a * cos_e;
+    let z = if side == Side::Front { z } else { -z };
+    // a component along the cuts that is only rounding is none
+    let x = if sin_a.abs() < 1e-15 { 0.0 } else { sin_a * cos_e };
+    Direction::from_unit(Vec3::new(x, -sin_e, z))
+}
