@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from numpy import float64
+from numpy import float64, uint16
 from numpy.typing import NDArray
 
 __version__: str
@@ -44,3 +44,62 @@ def edmonds_deflected_fraction(
 ) -> NDArray[float64]: ...
 def edmonds_panel_tilt(altitude: NDArray[float64]) -> NDArray[float64]: ...
 def uncoated_glass(transmittance: NDArray[float64], reflectance: NDArray[float64]) -> list[NDArray[float64]]: ...
+class Profile:
+    @staticmethod
+    def laser_cut(
+        *,
+        spacing_mm: list[float],
+        thickness_mm: float,
+        cut_width_mm: float,
+        cut_tilt_deg: list[float],
+        cut_depth_mm: list[float] | None,
+        cut_radius_mm: float | None,
+        cut_slope_deg: float,
+        cut_diffuse: float,
+    ) -> Profile: ...
+    @staticmethod
+    def prismatic(
+        *, pitch_mm: float, lower_deg: float, upper_deg: float, base_mm: float, ridges: str
+    ) -> Profile: ...
+    @staticmethod
+    def pane(*, thickness_mm: float) -> Profile: ...
+    @staticmethod
+    def drawn(
+        *,
+        ends_mm: NDArray[float64],
+        bulge: list[float],
+        left: list[int],
+        right: list[int],
+        film: list[int],
+        pitch_mm: float,
+    ) -> Profile: ...
+    @property
+    def pitch_mm(self) -> float: ...
+    @property
+    def depth_range_mm(self) -> tuple[float, float]: ...
+    @property
+    def highest_medium(self) -> int: ...
+    @property
+    def is_smooth(self) -> bool: ...
+    @property
+    def is_straight(self) -> bool: ...
+    def facets(self) -> tuple[NDArray[float64], list[float], list[int], list[int], list[int]]: ...
+    def flattened(self, chords: int) -> Profile: ...
+
+class PanelOptics:
+    SHARES: list[str]
+    def __new__(
+        cls,
+        profile: Profile,
+        *,
+        n: NDArray[float64],
+        absorption_per_mm: NDArray[float64],
+        weights: NDArray[float64],
+        polarisation: str,
+        tolerance: float,
+        most_pieces: int,
+    ) -> PanelOptics: ...
+    def lobes(
+        self, incident: NDArray[float64]
+    ) -> tuple[NDArray[float64], NDArray[float64], NDArray[uint16], list[float], int]: ...
+    def shares(self, incident: NDArray[float64]) -> NDArray[float64]: ...

@@ -1,6 +1,7 @@
 //! Rust errors become one Python exception, whose message says name, rule, value and way out.
 
 use optics::OpticsError;
+use panel::PanelError;
 use pyo3::PyErr;
 
 mod python {
@@ -14,5 +15,10 @@ pub fn mistake(message: impl std::fmt::Display) -> PyErr {
 
 /// What was wrong with a medium or a measured glass.
 pub fn optics(error: OpticsError) -> PyErr {
+    mistake(error)
+}
+
+/// What was wrong with a panel.
+pub fn panel(error: PanelError) -> PyErr {
     mistake(error)
 }

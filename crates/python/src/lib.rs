@@ -2,8 +2,10 @@
 
 #![warn(clippy::unwrap_used, clippy::expect_used)]
 
+mod arrays;
 mod errors;
 mod optics;
+mod panel;
 
 use pyo3::prelude::*;
 
@@ -12,5 +14,6 @@ use pyo3::prelude::*;
 fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     optics::register(module)?;
+    panel::register(module)?;
     Ok(())
 }
