@@ -79,7 +79,8 @@ def edmonds_greenup_compagnon(incidence_deg: ArrayLike, n: ArrayLike) -> FloatOr
     -----
     :math:`R = \tfrac12 (r_{te}^2 + r_{tm}^2)` with :math:`r_{te} = (c - q)/(c + q)`,
     :math:`r_{tm} = (A^2c - q)/(A^2c + q)`,
-    :math:`q = \sqrt{A^2 - 1 + c^2}` (theory/glass.md, eqs. 5 to 7). I. R. Edmonds, P. J. Greenup, R. Compagnon, 2000.
+    :math:`q = \sqrt{A^2 - 1 + c^2}` (theory/glass.md, eqs. 5 to 7). P. Greenup, I. R. Edmonds,
+    R. Compagnon, Lighting Research and Technology 32, 49-54, 2000.
     """
     return elementwise(
         lambda c, a: [_native.edmonds_greenup_compagnon(c, a)], cos_of_incidence(incidence_deg), _index(n)
@@ -183,7 +184,7 @@ def edmonds_deflected_fraction(
     -----
     A triangle wave of :math:`x = (W/D) \tan(\arcsin(\sin\theta / n))`: 0 at x = 0, 2, 4 …, 1 at x = 1, 3, 5 …
     (theory/glass.md, eqs. 9 and 10). Surface losses are not in it, and every cut is taken to mirror all light.
-    I. R. Edmonds, Solar Energy Materials 29, 1-26, 1993.
+    I. R. Edmonds, Solar Energy Materials and Solar Cells 29, 1-26, 1993.
     """
     spacing = within("spacing_mm", spacing_mm, 0.0, open_low=True, way_out="give the distance between cuts")
     ratio, *_ = elementwise(lambda w, d: [w / d], _thickness(thickness_mm), spacing)
@@ -215,7 +216,7 @@ def edmonds_panel_tilt_deg(sun_altitude_deg: ArrayLike) -> FloatOrArray:
 
     Notes
     -----
-    :math:`\tfrac12 (E - 8°)` (theory/glass.md, eq. 11). I. R. Edmonds, Solar Energy Materials 29, 1-26, 1993.
+    :math:`\tfrac12 (E - 8°)` (theory/glass.md, eq. 11). I. R. Edmonds, Solar Energy Materials and Solar Cells 29, 1-26, 1993.
     """
     altitude = within("sun_altitude_deg", sun_altitude_deg, -90.0, 90.0, way_out="give the angle above the horizon")
     return elementwise(lambda e: [np.degrees(_native.edmonds_panel_tilt(e))], np.radians(altitude))[0]

@@ -32,7 +32,7 @@ impl Mueller {
         }
     }
 
-    /// What a boundary lets through, in its own s and p axes: 1 − R of each.
+    /// What a boundary lets through, in its own s and p axes: 1 − R of each (theory/polarisation.md, eq. 4).
     pub fn transmitted(split: Split) -> Self {
         match split {
             Split::Total { .. } => Self([[0.0; 4]; 4]),

@@ -5,7 +5,7 @@ const EXIT_ABOVE_HORIZONTAL: f64 = 8.0 * std::f64::consts::PI / 180.0;
 
 /// Share of the light inside an ideal laser-cut panel that meets an odd number of cuts, and so leaves deflected:
 /// a triangle wave of x = (W/D) tan θ_t, sin θ_t = sin θ / n (theory/glass.md, eqs. 9–10;
-/// I. R. Edmonds, Solar Energy Materials 29, 1–26, 1993). `width_over_spacing` is W/D: thickness over spacing.
+/// I. R. Edmonds, Solar Energy Materials and Solar Cells 29, 1–26, 1993). `width_over_spacing` is W/D: thickness over spacing.
 ///
 /// Total internal reflection at the cuts is taken for granted; Fresnel losses are not in it.
 pub fn edmonds_deflected_fraction(cos_i: f64, n: f64, width_over_spacing: f64) -> f64 {

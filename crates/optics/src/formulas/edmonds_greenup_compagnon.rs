@@ -3,7 +3,8 @@
 /// Unpolarised reflectance of one surface of relative index A, light arriving from the thinner side at cosine c:
 ///
 /// r_te = (c − √(A² − 1 + c²)) / (c + √(A² − 1 + c²)), r_tm = (A²c − √(A² − 1 + c²)) / (A²c + √(A² − 1 + c²)),
-/// R = ½ (r_te² + r_tm²) (theory/glass.md, eqs. 5–7; I. R. Edmonds, P. J. Greenup, R. Compagnon, 2000).
+/// R = ½ (r_te² + r_tm²) (theory/glass.md, eqs. 5–7;
+/// P. Greenup, I. R. Edmonds, R. Compagnon, Lighting Research and Technology 32, 49–54, 2000).
 pub fn edmonds_greenup_compagnon(cos_i: f64, n: f64) -> f64 {
     let (c, a2) = (cos_i, n * n);
     // A times the cosine of refraction
