@@ -216,7 +216,8 @@ def edmonds_panel_tilt_deg(sun_altitude_deg: ArrayLike) -> FloatOrArray:
 
     Notes
     -----
-    :math:`\tfrac12 (E - 8°)` (theory/glass.md, eq. 11). I. R. Edmonds, Solar Energy Materials and Solar Cells 29, 1-26, 1993.
+    :math:`\tfrac12 (E - 8°)` (theory/glass.md, eq. 11).
+    I. R. Edmonds, Solar Energy Materials and Solar Cells 29, 1-26, 1993.
     """
     altitude = within("sun_altitude_deg", sun_altitude_deg, -90.0, 90.0, way_out="give the angle above the horizon")
     return elementwise(lambda e: [np.degrees(_native.edmonds_panel_tilt(e))], np.radians(altitude))[0]
