@@ -49,6 +49,12 @@ def test_crates_rest_on_what_the_plan_says(root: Path) -> None:
             assert used <= RESTS_ON[name], f"{name} must not rest on {sorted(used - RESTS_ON[name])}"
 
 
+def test_libraries_do_not_panic_on_what_is_missing(root: Path) -> None:
+    libraries = list((root / "crates").glob("*/src/lib.rs"))
+    warning = "#![warn(clippy::unwrap_used, clippy::expect_used)]"
+    assert not [path for path in libraries if warning not in path.read_text()], f"put {warning} into these"
+
+
 def test_nothing_of_one_machine_is_written_down(root: Path, texts: dict[Path, str]) -> None:
     found = [
         f"{path.relative_to(root)}:{number}: {line.strip()[:100]}"

@@ -1,5 +1,7 @@
 //! Light-redirecting panels: from the drawing of a cross-section to where every part of the light goes.
 
+#![warn(clippy::unwrap_used, clippy::expect_used)]
+
 pub mod error;
 pub mod facet;
 pub mod flux;
