@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 from clerestory.errors import ClerestoryError
-from clerestory.measured_glass import measured_glass
+from clerestory.glass import slab
+from clerestory.measured_glass import measured_glass, medium_of_pane
+from clerestory.spectrum import photopic_mean
 
 DATA = Path(__file__).parent / "data"
 
@@ -37,6 +39,36 @@ def test_normal_incidence_gives_the_measurement_back():
     np.testing.assert_allclose(front.transmittance, glass.transmittance, atol=1e-13)
     np.testing.assert_allclose(front.reflectance, glass.reflectance_front, atol=1e-13)
     np.testing.assert_allclose(back.reflectance, glass.reflectance_back, atol=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("file", "thickness_mm"), [("CLEAR_3.DAT", 3.048), ("CLEAR_6.DAT", 5.715), ("frads_igsdb_product_7968.json", 8.0)]
+)
+def test_two_numbers_of_a_data_sheet_do_almost_as_well(file, thickness_mm):
+    """Within 3e-4: so much does the spread of the spectrum make of the panes whose spectrum is known (2.6e-4)."""
+    incidence_deg, transmittance, reflectance = reference(file)
+    glass = medium_of_pane(transmittance[0], reflectance[0], thickness_mm=thickness_mm)
+    ours = slab(incidence_deg, glass.index(), absorption_per_mm=glass.absorption_per_mm_at(), thickness_mm=thickness_mm)
+    assert np.abs(ours.transmittance - transmittance).max() < 3e-4
+    assert np.abs(ours.reflectance - reflectance).max() < 3e-4
+
+
+def test_medium_of_a_measured_pane_makes_the_pane_again():
+    """The mean of the two sides' reflectances stands for both: they differ by 0.001, and T follows to 1e-4."""
+    glass = measured_glass(DATA / "CLEAR_6.DAT")
+    medium = glass.medium()
+    # opaque in the tables at 310 nm and below
+    assert medium.wavelength_range_nm == (315.0, 2500.0)
+    wavelengths = np.arange(380.0, 781.0, 5.0)
+    shares = slab(
+        60.0,
+        medium.index(wavelengths),
+        absorption_per_mm=medium.absorption_per_mm_at(wavelengths),
+        thickness_mm=glass.thickness_mm,
+    )
+    assert photopic_mean(wavelengths, shares.transmittance) == pytest.approx(
+        glass.photopic(60.0).transmittance, abs=1e-4
+    )
 
 
 def test_heading_is_read():
@@ -83,3 +115,18 @@ def test_spectrum_short_of_the_visible_is_refused(tmp_path):
     path.write_text(HEADING + "0.40 0.9 0.08 0.08\n0.70 0.9 0.08 0.08\n")
     with pytest.raises(ClerestoryError, match="must span 380 to 780 nm, got 400 to 700"):
         measured_glass(path).photopic(0.0)
+
+
+@pytest.mark.parametrize(
+    ("mistake", "message"),
+    [
+        (lambda: medium_of_pane(0.0, 0.08, thickness_mm=6), "transmittance must be greater than 0"),
+        (lambda: medium_of_pane(0.95, 0.08, thickness_mm=6), "their sum at most 1; got 0.95 and 0.08"),
+        (lambda: medium_of_pane(0.9, 0.08, thickness_mm=0), "thickness_mm must be .*greater than 0, got 0"),
+        (lambda: measured_glass(DATA / "CLEAR_3.DAT").spectral(0.0, side="left"), "side must be front or back"),
+        (lambda: measured_glass(DATA / "CLEAR_3.DAT").photopic(95.0), "incidence_deg must be .*got 95"),
+    ],
+)
+def test_mistakes_say_name_rule_and_value(mistake, message):
+    with pytest.raises(ClerestoryError, match=message):
+        mistake()

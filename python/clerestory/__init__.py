@@ -2,7 +2,7 @@
 
 from clerestory._native import __version__
 from clerestory.errors import ClerestoryError
-from clerestory.measured_glass import MeasuredGlass, measured_glass
+from clerestory.measured_glass import MeasuredGlass, measured_glass, medium_of_pane
 from clerestory.medium import Medium, medium_names
 from clerestory.medium_laws import AbsorptionSpectrum, Dispersion
 
@@ -15,4 +15,5 @@ __all__ = [
     "__version__",
     "measured_glass",
     "medium_names",
+    "medium_of_pane",
 ]

@@ -1,6 +1,7 @@
 """The compiled half of the package: what ``crates/python`` exposes."""
 
 from collections.abc import Sequence
+from typing import Literal
 
 from numpy import float64, uint16
 from numpy.typing import NDArray
@@ -19,9 +20,13 @@ class Medium:
     @staticmethod
     def named(name: str) -> Medium: ...
     @property
-    def dispersion(self) -> tuple[str, list[float], tuple[float, float] | None]: ...
+    def dispersion(
+        self,
+    ) -> tuple[
+        Literal["constant", "sellmeier", "cauchy", "polynomial", "tabulated"], list[float], tuple[float, float] | None
+    ]: ...
     @property
-    def absorption(self) -> tuple[str, list[float]]: ...
+    def absorption(self) -> tuple[Literal["constant", "per_mm", "extinction"], list[float]]: ...
     @property
     def wavelength_range_nm(self) -> tuple[float, float] | None: ...
     @property

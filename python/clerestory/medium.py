@@ -194,12 +194,13 @@ class Medium:
         laws = _native.Medium.named(name)
         law, coefficients, range_nm = laws.dispersion
         quantity, values = laws.absorption
-        absorption: float | AbsorptionSpectrum = (
+        n = coefficients[0] if law == "constant" else Dispersion(law, tuple(coefficients), range_nm)
+        absorption = (
             values[0]
             if quantity == "constant"
-            else AbsorptionSpectrum(quantity, tuple(values[::2]), tuple(values[1::2]))  # type: ignore[arg-type]
+            else AbsorptionSpectrum(quantity, tuple(values[::2]), tuple(values[1::2]))
         )
-        return cls(Dispersion(law, tuple(coefficients), range_nm), absorption, name)  # type: ignore[arg-type]
+        return cls(n, absorption, name)
 
     @property
     def is_spectral(self) -> bool:
