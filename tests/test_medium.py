@@ -6,6 +6,8 @@ import pickle
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from clerestory.errors import ClerestoryError
 from clerestory.medium import AIR, BK7, PMMA, POLYCARBONATE, SODA_LIME_CLEAR, Medium, medium_names
@@ -88,6 +90,25 @@ def test_media_survive_dict_pickle_and_copy(medium):
         assert again.absorption_per_mm_at(550.0) == medium.absorption_per_mm_at(550.0)
 
 
+@given(
+    pairs=st.lists(
+        st.tuples(st.floats(200.0, 3000.0), st.floats(1.0, 4.0), st.floats(0.0, 10.0)),
+        min_size=2,
+        max_size=30,
+        unique_by=lambda pair: pair[0],
+    ),
+    where=st.floats(0.0, 1.0),
+)
+def test_table_never_leaves_its_values(pairs, where):
+    """Between two measurements lies a value between theirs; the whole survives a dictionary."""
+    wavelength_nm, n, absorption = (np.array(column) for column in zip(*sorted(pairs), strict=True))
+    medium = Medium.tabulated(wavelength_nm, n, absorption_per_mm=absorption)
+    at = np.clip(wavelength_nm[0] + where * np.ptp(wavelength_nm), wavelength_nm[0], wavelength_nm[-1])
+    np.testing.assert_allclose(medium.index(at), np.interp(at, wavelength_nm, n), rtol=1e-12)
+    np.testing.assert_allclose(medium.absorption_per_mm_at(at), np.interp(at, wavelength_nm, absorption), atol=1e-11)
+    assert Medium.from_dict(medium.to_dict()) == medium
+
+
 def test_packaged_medium_is_its_name_alone():
     assert POLYCARBONATE.to_dict() == {"name": "polycarbonate"}
     assert Medium.from_dict("polycarbonate") == POLYCARBONATE
@@ -135,6 +156,9 @@ def test_other_absorption_keeps_the_index():
         (lambda: Dispersion("abbe", (1.5,)), r"law must be one of"),
         (lambda: Medium(Dispersion("sellmeier", (0.0, 1.0))), r"coefficients of a sellmeier law must be"),
         (lambda: Medium.from_dict({"n": 1.5, "index": 1.5}), r"keys of medium must be among .*got 'index'"),
+        (lambda: Medium.from_dict(1.5), r"medium must be a name or a table, got 1\.5"),
+        (lambda: Medium.from_dict({"name": 5}), r"name must be text, got 5"),
+        (lambda: Medium(1.5, 0.0, 5), r"name must be text, got 5"),
         (lambda: Medium.from_dict({"n": {"law": "cauchy"}}), r"keys of n must include 'coefficients'"),
     ],
 )

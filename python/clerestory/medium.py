@@ -54,6 +54,8 @@ class Medium:
     _laws: _native.Medium = field(init=False, compare=False)
 
     def __post_init__(self) -> None:
+        if self.name is not None and not isinstance(self.name, str):
+            raise ClerestoryError(f"name must be text, got {self.name!r}; put it in quotes or leave it out")
         if not isinstance(self.n, Dispersion):
             object.__setattr__(self, "n", number("n", self.n))
         if not isinstance(self.absorption_per_mm, AbsorptionSpectrum):
@@ -191,6 +193,8 @@ class Medium:
         ClerestoryError
             If there is none of this name; the message lists those there are.
         """
+        if not isinstance(name, str):
+            raise ClerestoryError(f"name must be text, got {name!r}; one of {', '.join(medium_names())}")
         laws = _native.Medium.named(name)
         law, coefficients, range_nm = laws.dispersion
         quantity, values = laws.absorption
@@ -265,6 +269,8 @@ class Medium:
         """
         if isinstance(values, str):
             return cls.named(values)
+        if not isinstance(values, Mapping):
+            raise ClerestoryError(f'medium must be a name or a table, got {values!r}; write medium = "pmma", say')
         known_keys("medium", values, {"name", "n", "absorption_per_mm"})
         if set(values) == {"name"}:
             return cls.named(values["name"])
