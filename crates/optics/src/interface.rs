@@ -54,9 +54,18 @@ impl Interface {
         Split::Partial { amplitude_s, amplitude_p, cos_t }
     }
 
-    /// Share of unpolarised power reflected at `cos_i` (0..=1).
+    /// Whether light at `cos_i` (0..=1) is beyond the critical angle.
+    #[inline]
+    pub fn is_total(self, cos_i: f64) -> bool {
+        (self.n_i / self.n_t) * (self.n_i / self.n_t) * (1.0 - cos_i * cos_i) >= 1.0
+    }
+
+    /// Share of unpolarised power reflected at `cos_i` (0..=1): the mean square of both amplitudes.
     #[inline]
     pub fn reflectance(self, cos_i: f64) -> f64 {
+        if self.is_total(cos_i) {
+            return 1.0;
+        }
         match self.split(cos_i) {
             Split::Total { .. } => 1.0,
             Split::Partial { amplitude_s, amplitude_p, .. } => {

@@ -4,8 +4,10 @@ mod attenuation;
 mod density;
 mod directions;
 mod payload;
+mod section;
 mod sight;
 mod solver;
 
 pub use payload::{Payload, film_reflectance};
+pub use section::{Strip, strips};
 pub use solver::{Limits, Solver};

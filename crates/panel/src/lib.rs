@@ -4,13 +4,16 @@
 
 pub mod error;
 pub mod facet;
+mod finish;
 pub mod flux;
+mod glazing;
 pub mod media;
-pub mod panel;
+mod panel;
 pub mod plane;
 pub mod profile;
 pub mod shape;
 pub mod topology;
+pub mod walk;
 
 pub use error::PanelError;
 pub use facet::{AIR, Facet, Finish, MediumId, Surface};

@@ -2,9 +2,11 @@
 
 use crate::{
     error::PanelError,
+    finish::finish,
     flux::{Limits, Payload, Solver},
     media::Media,
     profile::Profile,
+    walk::Walk,
 };
 use hemisphere::{Direction, Vec3};
 use optics::{Side, Stokes};
@@ -33,6 +35,7 @@ pub struct Sample {
 pub struct Panel {
     profile: Arc<Profile>,
     spectrum: Vec<Sample>,
+    walks: Vec<(Walk, f64)>,
     polarisation: Polarisation,
     limits: Limits,
 }
@@ -57,6 +60,8 @@ pub struct Outcome {
     pub absorbed: f64,
     /// Share not followed to its end.
     pub residual: f64,
+    /// Share that was still under way when the budget ended and was followed by a quasi-random walk.
+    pub walked: f64,
     /// Pieces of light followed.
     pub pieces: u64,
     /// Share that was moved along a facet to save work: a bound on the error by that.
@@ -106,7 +111,9 @@ impl Panel {
             let rule = "between 0 and 1".into();
             return Err(PanelError::OutOfRange { name: "tolerance", rule, value: limits.tolerance });
         }
-        Ok(Self { profile, spectrum, polarisation, limits })
+        let walk = |s: &Sample| (Walk::new(&profile, &s.media, polarisation), s.weight);
+        let walks = spectrum.iter().map(walk).collect();
+        Ok(Self { profile, spectrum, walks, polarisation, limits })
     }
 
     /// Its cross-section.
@@ -117,6 +124,11 @@ impl Panel {
     /// Its media.
     pub fn spectrum(&self) -> &[Sample] {
         &self.spectrum
+    }
+
+    /// Monte Carlo walks through it, one for each wavelength, with the weights of those.
+    pub fn walks(&self) -> &[(Walk, f64)] {
+        &self.walks
     }
 
     /// How it treats polarisation.
@@ -130,12 +142,12 @@ impl Panel {
             return Err(PanelError::RoughCut);
         }
         let mut outcome = Outcome::default();
-        for sample in &self.spectrum {
-            let in_plane = incident.x.abs() < 1e-15;
+        let in_plane = incident.x.abs() < 1e-15;
+        for i in 0..self.spectrum.len() {
             match (self.polarisation, in_plane) {
-                (Polarisation::Averaged, _) => self.add(&mut workspace.averaged, sample, incident, &mut outcome),
-                (Polarisation::Resolved, true) => self.add(&mut workspace.in_plane, sample, incident, &mut outcome),
-                (Polarisation::Resolved, false) => self.add(&mut workspace.skew, sample, incident, &mut outcome),
+                (Polarisation::Averaged, _) => self.add(&mut workspace.averaged, i, incident, &mut outcome),
+                (Polarisation::Resolved, true) => self.add(&mut workspace.in_plane, i, incident, &mut outcome),
+                (Polarisation::Resolved, false) => self.add(&mut workspace.skew, i, incident, &mut outcome),
             }
         }
         outcome.beams.sort_by(|a, b| b.stokes[0].total_cmp(&a.stokes[0]));
@@ -152,33 +164,41 @@ impl Panel {
         Ok(shares)
     }
 
-    fn add<P: Payload>(&self, solver: &mut Solver<P>, sample: &Sample, incident: Direction, outcome: &mut Outcome) {
-        solver.solve(&self.profile, &sample.media, incident.vector(), self.limits);
+    fn add<P: Payload>(&self, solver: &mut Solver<P>, sample: usize, incident: Direction, outcome: &mut Outcome) {
+        let Sample { media, weight } = &self.spectrum[sample];
+        solver.solve(&self.profile, media, incident.vector(), self.limits);
         for leaving in solver.leaving() {
-            let direction = solver.direction(leaving.direction);
-            let stokes = leaving.light.times(sample.weight).stokes();
-            let is_same = |b: &&mut Beam| (b.direction.vector() - direction).length_squared() < SAME_DIRECTION;
-            match outcome.beams.iter_mut().find(is_same) {
-                Some(beam) => {
-                    beam.stokes.iter_mut().zip(stokes).for_each(|(sum, x)| *sum += x);
-                    beam.total_reflections = beam.total_reflections.min(leaving.total_reflections);
-                }
-                None => outcome.beams.push(Beam {
-                    direction: Direction::from_unit(direction),
-                    stokes,
-                    total_reflections: leaving.total_reflections,
-                }),
-            }
+            let stokes = leaving.light.times(*weight).stokes();
+            outcome.add(solver.direction(leaving.direction), stokes, leaving.total_reflections);
         }
-        outcome.absorbed += sample.weight * solver.absorbed();
-        outcome.residual += sample.weight * solver.residual();
-        outcome.displaced += sample.weight * solver.displaced();
+        outcome.absorbed += weight * solver.absorbed();
+        outcome.displaced += weight * solver.displaced();
         outcome.pieces += solver.pieces();
+        if solver.waiting_power() <= self.limits.tolerance {
+            outcome.residual += weight * solver.residual();
+        } else {
+            outcome.residual += weight * solver.lost();
+            finish(solver, &self.walks[sample].0, *weight, outcome);
+        }
+    }
+}
+
+impl Outcome {
+    /// Adds light to the beam of its direction.
+    pub(crate) fn add(&mut self, direction: Vec3, stokes: Stokes, total_reflections: u16) {
+        let is_same = |b: &&mut Beam| (b.direction.vector() - direction).length_squared() < SAME_DIRECTION;
+        match self.beams.iter_mut().find(is_same) {
+            Some(beam) => {
+                beam.stokes.iter_mut().zip(stokes).for_each(|(sum, x)| *sum += x);
+                beam.total_reflections = beam.total_reflections.min(total_reflections);
+            }
+            None => self.beams.push(Beam { direction: Direction::from_unit(direction), stokes, total_reflections }),
+        }
     }
 }
 
 /// Square of the angle below which two directions are one.
-const SAME_DIRECTION: f64 = 1e-20;
+const SAME_DIRECTION: f64 = 1e-18;
 
 impl Shares {
     /// Adds light that came along `incident` and leaves along `leaving`. Light that comes in level has no vertical sense

@@ -4,11 +4,15 @@ use crate::{
     arrays::{columns, directions},
     errors::{self, mistake},
 };
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, ndarray::Array2};
+use numpy::{
+    IntoPyArray, PyArray1, PyArray2, PyArray3, PyReadonlyArray1, PyReadonlyArray2,
+    ndarray::{Array2, Array3},
+};
 use panel::{
     Facet, Finish, Media, Optical, Panel, Polarisation, Profile, Sample, Shares, Surface, Vec2, Workspace,
-    flux::Limits,
+    flux::{Limits, strips},
     shape::{LaserCut, Prismatic, Ridges, pane},
+    walk::estimate_shares,
 };
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -208,13 +212,13 @@ impl PyPanel {
     }
 
     /// Where the light of one plane wave goes: directions (lobe, 3), Stokes vectors (lobe, 4), least total reflections
-    /// (lobe,), then absorbed, residual, displaced and pieces.
+    /// (lobe,), then absorbed, residual, displaced and walked, and pieces.
     #[allow(clippy::type_complexity)]
     fn lobes<'py>(
         &self,
         py: Python<'py>,
         incident: PyReadonlyArray2<'_, f64>,
-    ) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u16>>, [f64; 3], u64)>
+    ) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u16>>, [f64; 4], u64)>
     {
         let incident = directions("incident", &incident)?;
         let [incident] = incident[..] else { return Err(mistake("incident must be one direction")) };
@@ -223,7 +227,7 @@ impl PyPanel {
         let directions = Array2::from_shape_fn((beams.len(), 3), |(i, j)| beams[i].direction.to_array()[j]);
         let stokes = Array2::from_shape_fn((beams.len(), 4), |(i, j)| beams[i].stokes[j]);
         let reflections: Vec<u16> = beams.iter().map(|b| b.total_reflections).collect();
-        let accounts = [found.absorbed, found.residual, found.displaced];
+        let accounts = [found.absorbed, found.residual, found.displaced, found.walked];
         Ok((directions.into_pyarray(py), stokes.into_pyarray(py), reflections.into_pyarray(py), accounts, found.pieces))
     }
 
@@ -233,6 +237,53 @@ impl PyPanel {
         let one = |workspace: &mut Workspace, &d: &_| self.0.shares(d, workspace).map(|s| row(&s));
         let rows: Result<Vec<_>, _> = py.detach(|| incident.par_iter().map_init(Workspace::default, one).collect());
         Ok(table(&rows.map_err(errors::panel)?).into_pyarray(py))
+    }
+
+    /// The same by Monte Carlo: shares and their standard errors, both (incident, share), with at least `rays` rays each.
+    #[allow(clippy::type_complexity)]
+    fn walk_shares<'py>(
+        &self,
+        py: Python<'py>,
+        incident: PyReadonlyArray2<'_, f64>,
+        rays: u64,
+        seed: u64,
+    ) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>)> {
+        let incident = directions("incident", &incident)?;
+        let estimates: Vec<_> = py.detach(|| {
+            let walks = self.0.walks();
+            // each direction has random numbers of its own
+            let one = |(i, &d): (usize, &_)| estimate_shares(walks, d, rays, seed.wrapping_add((i as u64) << 32));
+            incident.iter().enumerate().map(one).collect()
+        });
+        let means: Vec<_> = estimates.iter().map(|e| row(&e.mean)).collect();
+        let errors: Vec<_> = estimates.iter().map(|e| row(&e.standard_error)).collect();
+        Ok((table(&means).into_pyarray(py), table(&errors).into_pyarray(py)))
+    }
+
+    /// Strips of the light that enters between two heights, for drawing: corners (strip, 4, [z, y]), power, medium and total
+    /// reflections of each.
+    #[allow(clippy::type_complexity)]
+    fn section_beams<'py>(
+        &self,
+        py: Python<'py>,
+        incident: PyReadonlyArray2<'_, f64>,
+        y_range_mm: (f64, f64),
+        least_power: f64,
+    ) -> PyResult<(Bound<'py, PyArray3<f64>>, Vec<f64>, Vec<u8>, Vec<u16>)> {
+        let incident = directions("incident", &incident)?;
+        let [incident] = incident[..] else { return Err(mistake("incident must be one direction")) };
+        let media = &self.0.spectrum()[0].media;
+        let found = py.detach(|| strips(self.0.profile(), media, incident.vector(), y_range_mm, least_power));
+        let corners = Array3::from_shape_fn((found.len(), 4, 2), |(i, j, k)| {
+            let corner = found[i].corners[j];
+            [corner.z, corner.y][k]
+        });
+        Ok((
+            corners.into_pyarray(py),
+            found.iter().map(|s| s.power).collect(),
+            found.iter().map(|s| s.medium).collect(),
+            found.iter().map(|s| s.total_reflections).collect(),
+        ))
     }
 
     /// Names of the columns of every table of shares.

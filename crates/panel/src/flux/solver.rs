@@ -27,7 +27,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { tolerance: 1e-6, most_pieces: 2_000_000 }
+        Self { tolerance: 1e-6, most_pieces: 1_000_000 }
     }
 }
 
@@ -177,7 +177,12 @@ impl<P: Payload> Solver<P> {
 
     /// Share that still waits or runs along the sheet for ever.
     pub fn residual(&self) -> f64 {
-        self.lost + self.waiting.iter().sum::<f64>()
+        self.lost + self.waiting_power()
+    }
+
+    /// Share that still waits.
+    pub fn waiting_power(&self) -> f64 {
+        self.waiting.iter().sum()
     }
 
     /// Share that runs along the sheet for ever.

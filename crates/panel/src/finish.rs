@@ -1,0 +1,69 @@
+//! What the exact solver leaves over when its budget ends is followed by a quasi-random walk.
+
+use crate::{
+    flux::{Payload, Solver},
+    panel::Outcome,
+    walk::{Draw, End, Walk},
+};
+use hemisphere::{Sobol, Vec3};
+use optics::Stokes;
+
+/// Rays that follow what is left.
+const RAYS: u32 = 4096;
+/// Any seed will do; one for all keeps results reproducible.
+const SEED: u64 = 0x00c1_e7e5_7021;
+
+/// Light of one piece that still waits.
+struct Waiting {
+    hand: crate::HalfEdge,
+    direction: Vec3,
+    start: f64,
+    end: f64,
+    stokes: Stokes,
+    total_reflections: u16,
+}
+
+/// Sends rays from all that waits in `solver`, equally strong, and adds where they go to `outcome`.
+pub fn finish<P: Payload>(solver: &Solver<P>, walk: &Walk, weight: f64, outcome: &mut Outcome) {
+    let waiting: Vec<Waiting> = solver
+        .waiting()
+        .map(|(hand, direction, start, end, piece)| Waiting {
+            hand,
+            direction,
+            start,
+            end,
+            stokes: piece.mean.times(end - start).stokes(),
+            total_reflections: piece.total_reflections,
+        })
+        .filter(|w| w.stokes[0] > 0.0)
+        .collect();
+    let left: f64 = waiting.iter().map(|w| w.stokes[0]).sum();
+    // tiny negative pieces, which rounding makes, are no light to follow: they stay in the account
+    outcome.residual += weight * (solver.waiting_power() - left);
+    let sobol = Sobol { seed: SEED };
+    let (mut passed, mut index) = (0.0, 0);
+    for w in &waiting {
+        let from = passed;
+        passed += w.stokes[0];
+        // systematic sampling: ray i stands at (i + ½) / RAYS of the light
+        while index < RAYS && (f64::from(index) + 0.5) / f64::from(RAYS) * left < passed {
+            let share = ((f64::from(index) + 0.5) / f64::from(RAYS) * left - from) / w.stokes[0];
+            let power = weight * left / f64::from(RAYS);
+            let polarisation = [1, 2, 3].map(|i| w.stokes[i] / w.stokes[0]);
+            let mut draw = Draw::spread(&sobol, index);
+            let place = w.start + (w.end - w.start) * share.clamp(0.0, 1.0);
+            match walk.resume(w.hand, place, w.direction, polarisation, w.total_reflections, &mut draw) {
+                End::Leaves { direction, total_reflections, weight } => {
+                    outcome.add(direction, [power * weight, 0.0, 0.0, 0.0], total_reflections);
+                    outcome.absorbed += power * (1.0 - weight);
+                }
+                End::Lost { weight } => {
+                    outcome.residual += power * weight;
+                    outcome.absorbed += power * (1.0 - weight);
+                }
+            }
+            outcome.walked += power;
+            index += 1;
+        }
+    }
+}
