@@ -104,6 +104,36 @@ def test_only_known_endings_are_written(tmp_path: Path):
         save(LCP.angular(elevation_deg=0), tmp_path / "table.xls")
 
 
+@pytest.mark.parametrize("azimuth", [0, 40])
+def test_rays_agree_with_beams_within_their_standard_error(azimuth):
+    panel = LaserCutPanel(spacing_mm=4, thickness_mm=6, cut_width_mm=0.3, medium=Medium(n=1.49, absorption_per_mm=0.01))
+    at = {"elevation_deg": [-20, 35, 70], "azimuth_deg": azimuth}
+    exact, walked = panel.angular(**at), panel.angular(**at, method="monte_carlo", rays=20_000, seed=3)
+    for name in ["transmittance", "reflectance", "absorptance", "transmittance_deflected"]:
+        error = walked[f"{name}_standard_error"]
+        assert float(error.max()) < 5e-3, "too noisy to judge"
+        assert float(error.min()) > 0.0
+        assert (abs(walked[name] - exact[name]) <= 4.5 * error + 1e-6).all()
+    np.testing.assert_allclose(sum(walked[name] for name in ENERGY), 1.0, rtol=0, atol=1e-12)
+
+
+def test_the_same_seed_gives_the_same_result():
+    at = {"elevation_deg": [20, 20], "method": "monte_carlo", "rays": 2000}
+    first, again, other = (LCP.angular(**at, seed=seed) for seed in (1, 1, 2))
+    np.testing.assert_array_equal(first.transmittance_deflected, again.transmittance_deflected)
+    assert (first.transmittance_deflected != other.transmittance_deflected).all()
+    assert first.transmittance_deflected[0] != first.transmittance_deflected[1]
+    assert (first.attrs["rays"], first.attrs["seed"]) == (2000, 1)
+
+
+def test_rippled_cuts_spread_light_that_smooth_cuts_deflect():
+    rough = LaserCutPanel(spacing_mm=6, thickness_mm=3, cut_slope_deg=3, cut_diffuse=0.3, medium=CLEAR)
+    smooth = LCP.angular(elevation_deg=40)
+    walked = rough.angular(elevation_deg=40, method="monte_carlo", rays=20_000)
+    lost = smooth.transmittance_deflected - walked.transmittance_deflected
+    assert lost.item() > 10 * walked.transmittance_deflected_standard_error.item()
+
+
 def test_rough_cuts_need_rays():
     rough = LaserCutPanel(spacing_mm=6, thickness_mm=3, cut_slope_deg=1)
     with pytest.raises(ClerestoryError, match="use method='monte_carlo'"):

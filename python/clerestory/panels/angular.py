@@ -141,9 +141,10 @@ def _solve(optics: _native.PanelOptics, incident: Floats, report: _Report) -> Fl
 def _walk(optics: _native.PanelOptics, incident: Floats, rays: int, seed: int, report: _Report) -> Floats:
     """Shares, then their standard errors."""
     rows = []
-    for direction in incident:
-        walked = optics.walk_shares(direction[None, :], rays=rays, seed=seed)  # type: ignore[attr-defined]
-        rows.append(np.concatenate(walked, axis=1))
+    for place, direction in enumerate(incident):
+        # each direction has random numbers of its own, as it would among all in one call
+        own_seed = (seed + (place << 32)) % 2**64
+        rows.append(np.concatenate(optics.walk_shares(direction[None, :], rays, own_seed), axis=1))
         report.add(1)
     return np.concatenate(rows)
 

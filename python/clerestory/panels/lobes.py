@@ -37,7 +37,7 @@ def lobes(
         panel, wavelength_nm=wavelength, polarisation=polarisation, tolerance=tolerance, arc_chords=arc_chords
     )
     incident = incident_directions(elevation, azimuth, side)
-    directions, stokes, total_reflections, (absorbed, residual, displaced), pieces = optics.lobes(incident)
+    directions, stokes, total_reflections, (absorbed, residual, displaced, walked), pieces = optics.lobes(incident)
     # a way that carries nothing is no lobe
     is_lit = stokes[:, 0] > 0.0
     directions, stokes, total_reflections = directions[is_lit], stokes[is_lit], total_reflections[is_lit]
@@ -75,6 +75,7 @@ def lobes(
         absorbed=absorbed,
         residual=residual,
         displaced=displaced,
+        walked=walked,
         pieces=pieces,
         panel=described(panel),
         method="exact",

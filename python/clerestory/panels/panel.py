@@ -115,7 +115,8 @@ class Panel:
             ``total_reflections``, the fewest on any way; ``elevation_deg`` (above 0: upwards) and ``azimuth_deg`` it
             leaves at; ``stokes`` (lobe, parameter) about the reference axes of theory/polarisation.md, eq. 1, if
             resolved. Attributes ``absorbed``, ``residual`` (with the powers they add to 1), ``displaced`` (share moved
-            along a facet to save work), ``pieces`` (of light followed), and what it was made from.
+            along a facet to save work), ``walked`` (share that a quasi-random walk finished), ``pieces`` (of light
+            followed), and what it was made from.
 
         Raises
         ------
