@@ -13,4 +13,4 @@ pub use direction::Direction;
 pub use frame::Frame;
 pub use glam::DVec3 as Vec3;
 pub use rng::Rng;
-pub use sobol::{DIMENSIONS as SOBOL_DIMENSIONS, Sobol};
+pub use sobol::{DIMENSIONS as SOBOL_DIMENSIONS, Sobol, SobolPoint};

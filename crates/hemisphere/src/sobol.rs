@@ -20,22 +20,41 @@ impl Sobol {
     /// Coordinate `dimension` of point `index`, in [0, 1).
     #[inline]
     pub fn sample(&self, index: u32, dimension: u32) -> f64 {
-        let set = dimension / DIMENSIONS as u32;
-        let seed = self.set_seed(set);
-        unit(scrambled(shuffled(index, seed), (dimension as usize) % DIMENSIONS, seed))
+        self.point(index, dimension / DIMENSIONS as u32).coordinate(dimension as usize % DIMENSIONS)
     }
 
-    /// All coordinates of point `index` in one set: dimensions 8 `set` … 8 `set` + 7.
+    /// Point `index` in one set, dimensions 8 `set` … 8 `set` + 7, its coordinates computed as they are asked for.
+    #[inline]
+    pub fn point(&self, index: u32, set: u32) -> SobolPoint {
+        let seed = self.set_seed(set);
+        SobolPoint { index: shuffled(index, seed), seed }
+    }
+
+    /// All coordinates of point `index` in one set.
     #[inline]
     pub fn set(&self, index: u32, set: u32) -> [f64; DIMENSIONS] {
-        let seed = self.set_seed(set);
-        let index = shuffled(index, seed);
-        std::array::from_fn(|d| unit(scrambled(index, d, seed)))
+        let point = self.point(index, set);
+        std::array::from_fn(|d| point.coordinate(d))
     }
 
     #[inline]
     fn set_seed(&self, set: u32) -> u64 {
         mix(self.seed ^ (u64::from(set) << 32) ^ 0x5851_f42d_4c95_7f2d)
+    }
+}
+
+/// One point of one set of dimensions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SobolPoint {
+    index: u32,
+    seed: u64,
+}
+
+impl SobolPoint {
+    /// Coordinate `d` (0..8), in [0, 1).
+    #[inline]
+    pub fn coordinate(&self, d: usize) -> f64 {
+        unit(scrambled(self.index, d, self.seed))
     }
 }
 

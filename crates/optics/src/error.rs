@@ -107,6 +107,20 @@ pub enum OpticsError {
         /// The offending entry.
         detail: String,
     },
+    /// A transmittance that no such pane has.
+    #[error("transmittance must lie above 0 and at most {greatest:.4}, got {value}; check the pane's data")]
+    TransmittanceOutside {
+        /// What was given.
+        value: f64,
+        /// The most that is possible.
+        greatest: f64,
+    },
+    /// A pane without body.
+    #[error("thickness_mm must be finite and greater than 0, got {value}; give the pane's thickness in mm")]
+    NotAThickness {
+        /// What was given [mm].
+        value: f64,
+    },
     /// A measured pane that is not one.
     #[error(
         "normal transmittance and reflectance must be 0 or more, reflectance below 1, and their sum at most 1; \

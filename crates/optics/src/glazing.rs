@@ -1,5 +1,9 @@
 //! What a flat element of a window does to light: the only thing a room knows of a window.
 
+mod clear;
+
+pub use clear::ClearGlazing;
+
 use hemisphere::{Direction, Vec3};
 
 /// The two faces of a window element, as in WINDOW: `Front` is the outside.
@@ -75,6 +79,15 @@ pub enum Scattered {
     Absorbed,
 }
 
+/// What an element does that turns no light: it passes straight on or is mirrored at the element's plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Straight {
+    /// Share that goes straight on.
+    pub transmittance: f64,
+    /// Share mirrored.
+    pub reflectance: f64,
+}
+
 /// What a flat element of a window does to light.
 ///
 /// Directions are those in which light travels, in the element's own axes: x along the cuts, y up, z from the outside
@@ -86,4 +99,9 @@ pub trait Glazing: Send + Sync {
     /// One direction that leaves, drawn with probability proportional to its power.
     /// `u` are uniform numbers in [0, 1); the last seeds whatever further numbers the way needs.
     fn scatter(&self, incident: Direction, u: [f64; 3]) -> Scattered;
+
+    /// The two shares at this incidence, if the element never turns light and never reflects it totally; `None` otherwise.
+    fn straight(&self, _incident: Direction) -> Option<Straight> {
+        None
+    }
 }

@@ -28,6 +28,7 @@ pub struct Shares {
 
 /// What a pane of index `n` in air does to light arriving at `cos_i`; `optical_depth` is α times the thickness, across
 /// the pane (theory/glass.md, eqs. 1–4). Without coherence: the pane is thicker than the light's coherence length.
+#[inline]
 pub fn slab(cos_i: f64, n: f64, optical_depth: f64, polarisation: Polarisation) -> Shares {
     let Some(Surface { reflectance_s, reflectance_p, internal }) = surface(cos_i, n, optical_depth) else {
         return Shares { transmittance: 0.0, reflectance: 1.0, absorptance: 0.0 };
@@ -64,6 +65,7 @@ struct Surface {
 }
 
 /// `None` for light along the pane, which never enters.
+#[inline]
 fn surface(cos_i: f64, n: f64, optical_depth: f64) -> Option<Surface> {
     if cos_i <= 0.0 {
         return None;
@@ -81,6 +83,7 @@ fn surface(cos_i: f64, n: f64, optical_depth: f64) -> Option<Surface> {
 
 /// The geometric series of inner reflections, for a surface reflectance R and a crossing τ:
 /// T = (1 − R)² τ / (1 − R² τ²), the reflected R (1 + τ T) (theory/glass.md, eqs. 2–3).
+#[inline]
 fn with_inner_reflections(r: f64, tau: f64) -> Shares {
     if r >= 1.0 {
         return Shares { transmittance: 0.0, reflectance: 1.0, absorptance: 0.0 };

@@ -1,0 +1,175 @@
+//! Plain glazing, which lets light through unturned: an opening, a fixed transmittance, glass by formula.
+
+use super::{Glazing, Lobe, Lobes, Scattered, Straight};
+use crate::OpticsError;
+use crate::formulas::{Polarisation, slab, tregenza_sharples};
+use hemisphere::{Direction, Vec3};
+
+/// A glazing without structure: what passes keeps its direction, what is reflected is a mirror image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClearGlazing(Law);
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Law {
+    /// The same transmittance at every angle; the rest is absorbed.
+    Constant { transmittance: f64 },
+    /// 6 mm clear float by the polynomial of Tregenza and Sharples; the rest is absorbed.
+    TregenzaSharples,
+    /// A plane-parallel pane, all inner reflections.
+    Slab { n: f64, optical_depth: f64 },
+}
+
+/// Index of the glass whose normal transmittance is all that is known, as in Radiance's `glass`.
+const GLASS_N: f64 = 1.52;
+
+impl ClearGlazing {
+    /// Nothing in the opening.
+    pub fn open() -> Self {
+        Self(Law::Constant { transmittance: 1.0 })
+    }
+
+    /// The same transmittance at every angle of incidence; what does not pass is absorbed.
+    pub fn constant(transmittance: f64) -> Result<Self, OpticsError> {
+        if (0.0..=1.0).contains(&transmittance) {
+            Ok(Self(Law::Constant { transmittance }))
+        } else {
+            Err(OpticsError::TransmittanceOutside { value: transmittance, greatest: 1.0 })
+        }
+    }
+
+    /// One pane of n = 1.52 that transmits this share at normal incidence, inner reflections included.
+    ///
+    /// The pane's optical depth follows from T = (1 − R)² τ / (1 − R² τ²) (theory/glass.md, eq. 2) solved for τ.
+    pub fn glass(transmittance: f64) -> Result<Self, OpticsError> {
+        let r = ((GLASS_N - 1.0) / (GLASS_N + 1.0)).powi(2);
+        let clear = (1.0 - r) / (1.0 + r);
+        let t = transmittance;
+        if !(t > 0.0 && t <= clear) {
+            return Err(OpticsError::TransmittanceOutside { value: t, greatest: clear });
+        }
+        let once = (1.0 - r) * (1.0 - r);
+        // the root of R² T τ² + (1 − R)² τ − T = 0 in the form that loses no digits
+        let tau = 2.0 * t / (once + (once * once + 4.0 * r * r * t * t).sqrt());
+        Ok(Self(Law::Slab { n: GLASS_N, optical_depth: (-tau.ln()).max(0.0) }))
+    }
+
+    /// 6 mm clear float glass after Tregenza and Sharples (theory/glass.md, eq. 8).
+    pub fn tregenza_sharples() -> Self {
+        Self(Law::TregenzaSharples)
+    }
+
+    /// A plane-parallel pane of index `n`, `thickness_mm` thick, that absorbs `absorption_per_mm` of power (theory/glass.md, eqs. 1–4).
+    pub fn slab(n: f64, thickness_mm: f64, absorption_per_mm: f64) -> Result<Self, OpticsError> {
+        if !(n.is_finite() && n >= 1.0) {
+            return Err(OpticsError::IndexBelowOne { value: n, wavelength_nm: None });
+        }
+        if !(absorption_per_mm.is_finite() && absorption_per_mm >= 0.0) {
+            return Err(OpticsError::NegativeAbsorption {
+                quantity: "absorption_per_mm",
+                value: absorption_per_mm,
+                wavelength_nm: None,
+            });
+        }
+        if !(thickness_mm.is_finite() && thickness_mm > 0.0) {
+            return Err(OpticsError::NotAThickness { value: thickness_mm });
+        }
+        Ok(Self(Law::Slab { n, optical_depth: absorption_per_mm * thickness_mm }))
+    }
+
+    /// Shares let through and mirrored at `cos_i` from the normal.
+    #[inline]
+    fn shares(self, cos_i: f64) -> Straight {
+        match self.0 {
+            Law::Constant { transmittance } => Straight { transmittance, reflectance: 0.0 },
+            Law::TregenzaSharples => Straight { transmittance: tregenza_sharples(cos_i), reflectance: 0.0 },
+            Law::Slab { n, optical_depth } => {
+                let shares = slab(cos_i, n, optical_depth, Polarisation::Resolved);
+                Straight { transmittance: shares.transmittance, reflectance: shares.reflectance }
+            }
+        }
+    }
+}
+
+impl Glazing for ClearGlazing {
+    fn lobes(&self, incident: Direction, out: &mut Lobes) {
+        out.clear();
+        let Straight { transmittance, reflectance } = self.shares(incident.z.abs());
+        for (direction, power) in [(incident, transmittance), (mirror_image(incident), reflectance)] {
+            if power > 0.0 {
+                out.beams.push(Lobe { direction, power, total_reflections: 0 });
+            }
+        }
+        out.absorbed = 1.0 - transmittance - reflectance;
+    }
+
+    fn scatter(&self, incident: Direction, u: [f64; 3]) -> Scattered {
+        let Straight { transmittance, reflectance } = self.shares(incident.z.abs());
+        if u[0] < transmittance {
+            Scattered::Leaves { direction: incident, total_reflections: 0 }
+        } else if u[0] < transmittance + reflectance {
+            Scattered::Leaves { direction: mirror_image(incident), total_reflections: 0 }
+        } else {
+            Scattered::Absorbed
+        }
+    }
+
+    fn straight(&self, incident: Direction) -> Option<Straight> {
+        Some(self.shares(incident.z.abs()))
+    }
+}
+
+/// Mirrored at the element's own plane.
+pub(super) fn mirror_image(incident: Direction) -> Direction {
+    incident.mirrored(Direction::from_unit(Vec3::Z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(degrees: f64) -> Direction {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        Direction::from_unit(Vec3::new(0.0, -sine, cosine))
+    }
+
+    /// Glass of a given normal transmittance has it, for all that n = 1.52 allows.
+    #[test]
+    fn glass_has_the_transmittance_asked_for() {
+        for t in [0.1, 0.5, 0.88, 0.9181] {
+            let straight = ClearGlazing::glass(t).expect("possible").straight(at(0.0)).expect("clear");
+            assert!((straight.transmittance - t).abs() < 1e-14);
+        }
+        for t in [0.0, -0.1, 0.93, f64::NAN] {
+            assert!(ClearGlazing::glass(t).is_err(), "{t}");
+        }
+    }
+
+    /// Lobes share out all the power, and random draws leave as often as the lobes say.
+    #[test]
+    fn draws_follow_the_lobes() {
+        let pane = ClearGlazing::slab(1.52, 6.0, 0.02).expect("possible");
+        let mut lobes = Lobes::default();
+        for degrees in [0.0, 40.0, 75.0, 89.0] {
+            pane.lobes(at(degrees), &mut lobes);
+            let sum: f64 = lobes.beams.iter().map(|lobe| lobe.power).sum();
+            assert!((sum + lobes.absorbed - 1.0).abs() < 1e-15);
+            let n = 1000;
+            let draws = (0..n).map(|i| pane.scatter(at(degrees), [(f64::from(i) + 0.5) / f64::from(n), 0.0, 0.0]));
+            let passed =
+                draws.filter(|s| matches!(s, Scattered::Leaves { direction, .. } if direction.z > 0.0)).count();
+            assert!((passed as f64 / f64::from(n) - lobes.beams[0].power).abs() <= 1.0 / f64::from(n));
+        }
+    }
+
+    /// What does not pass a glass by polynomial is absorbed, from either side.
+    #[test]
+    fn formula_glass_reflects_nothing() {
+        let mut lobes = Lobes::default();
+        for incident in [at(60.0), -at(60.0)] {
+            ClearGlazing::tregenza_sharples().lobes(incident, &mut lobes);
+            assert_eq!(lobes.beams.len(), 1);
+            assert_eq!(lobes.beams[0].direction, incident);
+            assert!((lobes.beams[0].power - tregenza_sharples(0.5)).abs() < 1e-12);
+        }
+    }
+}
