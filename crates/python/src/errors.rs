@@ -3,6 +3,7 @@
 use optics::OpticsError;
 use panel::PanelError;
 use pyo3::PyErr;
+use room::RoomError;
 
 mod python {
     pyo3::import_exception!(clerestory.errors, ClerestoryError);
@@ -20,5 +21,10 @@ pub fn optics(error: OpticsError) -> PyErr {
 
 /// What was wrong with a panel.
 pub fn panel(error: PanelError) -> PyErr {
+    mistake(error)
+}
+
+/// What was wrong with a room.
+pub fn room(error: RoomError) -> PyErr {
     mistake(error)
 }

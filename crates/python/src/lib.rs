@@ -4,8 +4,11 @@
 
 mod arrays;
 mod errors;
+mod glazing;
 mod optics;
 mod panel;
+mod room;
+mod sky;
 
 use pyo3::prelude::*;
 
@@ -15,5 +18,8 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     optics::register(module)?;
     panel::register(module)?;
+    glazing::register(module)?;
+    sky::register(module)?;
+    room::register(module)?;
     Ok(())
 }

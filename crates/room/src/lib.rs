@@ -1,0 +1,19 @@
+//! Daylight in a room: scenes of surfaces, windows and media, and the daylight coefficients of sensors in them.
+
+#![warn(clippy::unwrap_used, clippy::expect_used)]
+
+mod error;
+mod facet;
+mod nesting;
+mod outline;
+mod scene;
+mod surface;
+mod tracer;
+mod transport;
+
+pub use error::RoomError;
+pub use facet::Facet;
+pub use scene::{Scene, SceneBuilder, Surface};
+pub use surface::{Kind, Material, Medium};
+pub use transport::Part;
+pub use transport::coefficients::{Component, DaylightCoefficients, Progress, Settings, daylight_coefficients};

@@ -1,0 +1,35 @@
+//! How light gets from the sky to the sensors (theory/room.md).
+//!
+//! Everything is followed backwards, from where light is wanted to where it comes from. A [`walk::Walker`] follows one path; points
+//! on surfaces, [`nodes`], are shared by all sensors; [`gather`] joins the two into the coefficients of one round, and
+//! [`coefficients`] runs independent rounds until they are good enough.
+
+pub mod coefficients;
+mod estimate;
+mod gather;
+mod nodes;
+mod numbers;
+mod portals;
+mod sensors;
+mod walk;
+
+/// Which way light took from the sky to the sensor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// No diffuse reflection and no total internal reflection.
+    Direct,
+    /// No diffuse reflection, at least one total internal reflection.
+    Redirected,
+    /// At least one diffuse reflection.
+    Interreflected,
+    /// More diffuse reflections than the user allowed.
+    Lost,
+}
+
+/// Light found at the end of one path: how much of a patch's luminance it carries.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Entry {
+    pub patch: u32,
+    pub part: Part,
+    pub value: f64,
+}

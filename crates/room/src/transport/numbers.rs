@@ -1,0 +1,90 @@
+//! The random numbers of one path.
+
+use hemisphere::{Rng, Sobol, SobolPoint};
+
+/// Numbers for the events of one path: well-spread ones for the first few, independent ones after.
+pub struct Numbers {
+    sobol: Sobol,
+    index: u32,
+    next_set: u32,
+    /// Sets up to here are well spread.
+    sets: u32,
+    /// Independent numbers.
+    pub rng: Rng,
+}
+
+/// Events with well-spread numbers; what happens after many reflections is too mixed to gain from them.
+const QUASI_EVENTS: u32 = 3;
+
+impl Numbers {
+    /// Path `index` of a family of paths.
+    pub fn new(sobol: Sobol, index: u32) -> Self {
+        Self { sobol, index, next_set: 0, sets: QUASI_EVENTS, rng: Rng::new(sobol.seed, u64::from(index)) }
+    }
+
+    /// Independent numbers alone, for a way that branches off.
+    pub fn branch(&mut self) -> Self {
+        Self { sobol: self.sobol, index: self.index, next_set: 0, sets: 0, rng: Rng::new(self.rng.bits(), 0) }
+    }
+
+    /// The numbers of the next event.
+    #[inline]
+    pub fn event(&mut self) -> Event {
+        if self.next_set < self.sets {
+            let set = self.next_set;
+            self.next_set += 1;
+            Event::Spread(self.sobol.point(self.index, set))
+        } else {
+            Event::Independent(self.rng.bits())
+        }
+    }
+}
+
+/// What is decided at random where a path meets a surface; each number is computed as it is asked for.
+#[derive(Clone, Copy)]
+pub enum Event {
+    /// A point of a well-spread sequence.
+    Spread(SobolPoint),
+    /// The seed of independent numbers.
+    Independent(u64),
+}
+
+impl Event {
+    #[inline]
+    fn number(&self, d: usize) -> f64 {
+        match self {
+            Self::Spread(point) => point.coordinate(d),
+            Self::Independent(seed) => Rng::new(*seed, d as u64).uniform(),
+        }
+    }
+
+    /// Where a new path starts, or what a window or boundary does.
+    #[inline]
+    pub fn start(&self) -> [f64; 2] {
+        [self.number(0), self.number(1)]
+    }
+
+    /// Which point of a window is looked through.
+    #[inline]
+    pub fn window_point(&self) -> [f64; 2] {
+        [self.number(2), self.number(3)]
+    }
+
+    /// Which direction a reflection takes.
+    #[inline]
+    pub fn direction(&self) -> [f64; 2] {
+        [self.number(4), self.number(5)]
+    }
+
+    /// Which window is looked through.
+    #[inline]
+    pub fn window(&self) -> f64 {
+        self.number(6)
+    }
+
+    /// What becomes of the path.
+    #[inline]
+    pub fn choice(&self) -> f64 {
+        self.number(7)
+    }
+}

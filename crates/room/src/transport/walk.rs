@@ -1,0 +1,352 @@
+//! One path, followed from where its light is wanted until it ends in the sky or is absorbed (theory/room.md, eqs. 3–8).
+
+use super::nodes::NodeDensity;
+use super::numbers::{Event, Numbers};
+use super::portals::{Drawn, Portals};
+use super::{Entry, Part};
+use crate::scene::Scene;
+use crate::surface::{Kind, Medium};
+use crate::tracer::{Place, Ray};
+use hemisphere::{Direction, Frame, SkyBasis, Vec3};
+use optics::{Interface, Scattered, Split};
+use std::f64::consts::PI;
+
+/// Follows paths in a scene.
+pub struct Walker<'a> {
+    pub scene: &'a Scene,
+    pub portals: &'a Portals,
+    pub basis: &'a SkyBasis,
+    /// Light that took more diffuse reflections is reported as lost.
+    pub max_bounces: Option<u32>,
+}
+
+/// A point of a surface that reflects diffusely, or a sensor, on the side of its normal.
+#[derive(Clone, Copy)]
+pub struct Vertex {
+    pub place: Place,
+    /// Unit normal on the side that is lit.
+    pub normal: Vec3,
+    /// The facet it lies on, or none.
+    pub facet: u32,
+}
+
+/// The random numbers of one path and the light found on it.
+pub struct Path<'a> {
+    pub numbers: Numbers,
+    pub out: &'a mut Vec<Entry>,
+}
+
+impl Path<'_> {
+    /// A way that branches off.
+    fn branch(&mut self) -> Path<'_> {
+        Path { numbers: self.numbers.branch(), out: self.out }
+    }
+}
+
+/// How many points each technique draws, for weighing them against each other.
+#[derive(Clone, Copy)]
+pub struct Techniques<'a> {
+    /// Directions drawn by the cosine law.
+    pub directions: f64,
+    /// Points drawn on windows.
+    pub window_points: f64,
+    /// Points drawn on surfaces.
+    pub nodes: Option<&'a NodeDensity>,
+}
+
+/// At every diffuse reflection: one direction, one window point.
+const REFLECTION: Techniques<'static> = Techniques { directions: 1.0, window_points: 1.0, nodes: None };
+
+/// A ray of which the share s is kept is followed with probability 8 s: its light is then of even weight, and little.
+const FOLLOWED: f64 = 8.0;
+
+/// Whence a ray comes, as far as another technique could have found its end.
+enum Came<'a> {
+    /// From a diffuse vertex at this cosine.
+    Scattered { cos: f64, techniques: Techniques<'a> },
+    /// From a mirror, a window or a boundary: no other technique follows these.
+    Specular,
+}
+
+struct State<'a> {
+    ray: Ray,
+    /// What its radiance counts for.
+    beta: f64,
+    came: Came<'a>,
+    bounces: u32,
+    redirected: bool,
+    medium: Medium,
+    /// Whether diffuse vertices look for windows.
+    looks_out: bool,
+}
+
+impl Walker<'_> {
+    /// The light that a diffuse vertex of this reflectance sends on, times `beta`: from windows it sees, and from a reflection.
+    /// `bounces` counts its own.
+    pub fn reflected(
+        &self,
+        vertex: &Vertex,
+        reflectance: f64,
+        beta: f64,
+        bounces: u32,
+        event: &Event,
+        path: &mut Path<'_>,
+    ) {
+        self.look_out(vertex, beta * reflectance, &REFLECTION, bounces, event, path);
+        // roulette by the reflectance itself keeps beta as it is
+        if event.choice() < reflectance {
+            self.scattered(vertex, beta, REFLECTION, bounces, event.direction(), path);
+        }
+    }
+
+    /// Light arriving at a vertex along one direction drawn by the cosine law; `beta` counts the mean radiance.
+    pub fn scattered(
+        &self,
+        vertex: &Vertex,
+        beta: f64,
+        techniques: Techniques<'_>,
+        bounces: u32,
+        u: [f64; 2],
+        path: &mut Path<'_>,
+    ) {
+        let local = cosine_direction(u);
+        let direction = Frame::about(Direction::from_unit(vertex.normal)).outward(local);
+        let state = State {
+            ray: Ray { origin: vertex.place.position, direction, leaving: vertex.facet },
+            beta,
+            came: Came::Scattered { cos: local.z, techniques },
+            bounces,
+            redirected: false,
+            medium: Medium::AIR,
+            looks_out: true,
+        };
+        self.follow(state, path);
+    }
+
+    /// Light arriving at a vertex through a point drawn on a window (theory/room.md, eqs. 5–6); `beta` counts the mean radiance.
+    pub fn look_out(
+        &self,
+        vertex: &Vertex,
+        beta: f64,
+        techniques: &Techniques<'_>,
+        bounces: u32,
+        event: &Event,
+        path: &mut Path<'_>,
+    ) {
+        let Some(Drawn { surface, facet, point, density }) = self.portals.draw(self.scene, event) else {
+            return;
+        };
+        let way = point - vertex.place.position;
+        let (cos_here, cos_there) = (way.dot(vertex.normal), -way.dot(self.scene.facet(facet).normal));
+        if cos_here <= 0.0 || cos_there <= 0.0 {
+            return;
+        }
+        let distance2 = way.length_squared();
+        // density of the same point when its direction is drawn by the cosine law
+        let by_direction = cos_here * cos_there / (PI * distance2 * distance2);
+        // balance heuristic: each technique counts by the density of all
+        let weight = by_direction / (techniques.window_points * density + techniques.directions * by_direction);
+        if !self.scene.tracer.visible(&vertex.place, &self.scene.tracer.place_on(facet, point)) {
+            return;
+        }
+        let Kind::Window { glazing, frame } = &self.scene.surfaces[surface as usize].kind else { return };
+        let direction = way / distance2.sqrt();
+        let incident = Direction::from_unit(frame.inward(direction));
+        let (outgoing, share, total_reflections) = match glazing.straight(incident) {
+            Some(straight) => (direction, straight.transmittance, 0),
+            None => {
+                let u = [path.numbers.rng.uniform(), path.numbers.rng.uniform(), path.numbers.rng.uniform()];
+                match glazing.scatter(incident, u) {
+                    // what turns back into the room is left to the drawn directions
+                    Scattered::Leaves { direction, total_reflections } if direction.z < 0.0 => {
+                        (frame.outward(*direction), 1.0, total_reflections)
+                    }
+                    _ => return,
+                }
+            }
+        };
+        let beta = beta * weight * share;
+        if beta > 0.0 {
+            let state = State {
+                ray: Ray { origin: point, direction: outgoing, leaving: facet },
+                beta,
+                came: Came::Specular,
+                bounces,
+                redirected: total_reflections > 0,
+                medium: Medium::AIR,
+                looks_out: false,
+            };
+            self.follow(state, &mut path.branch());
+        }
+    }
+
+    fn follow(&self, mut state: State<'_>, path: &mut Path<'_>) {
+        let scene = self.scene;
+        loop {
+            let Ray { origin, direction, .. } = state.ray;
+            let Some(hit) = scene.tracer.closest(&state.ray) else {
+                let patch = self.basis.find(direction) as u32;
+                path.out.push(Entry { patch, part: self.part(&state), value: state.beta });
+                return;
+            };
+            let point = origin + hit.distance * direction;
+            let facet = scene.facet(hit.facet);
+            let cos_facet = facet.normal.dot(direction);
+            state.beta *= state.medium.left_after(hit.distance);
+            let event = path.numbers.event();
+            match &scene.surface_of(hit.facet).kind {
+                Kind::Opaque(material) => {
+                    let normal = if cos_facet < 0.0 { facet.normal } else { -facet.normal };
+                    let choice = event.choice();
+                    if material.diffuse > 0.0 {
+                        let kept = state.came.kept_at_node(scene, hit.facet, cos_facet, hit.distance);
+                        // what the nodes find as well is seldom worth following
+                        let followed = (FOLLOWED * kept).min(1.0);
+                        if kept >= 1.0 || path.numbers.rng.uniform() < followed {
+                            let kept_beta = state.beta * kept / followed;
+                            let vertex =
+                                Vertex { place: scene.tracer.place_on(hit.facet, point), normal, facet: hit.facet };
+                            if state.looks_out {
+                                let beta = kept_beta * material.diffuse;
+                                self.look_out(&vertex, beta, &REFLECTION, state.bounces + 1, &event, path);
+                            }
+                            if choice < material.diffuse {
+                                let local = cosine_direction(event.direction());
+                                let direction = Frame::about(Direction::from_unit(normal)).outward(local);
+                                state.ray = Ray { origin: point, direction, leaving: hit.facet };
+                                state.came = if state.looks_out {
+                                    Came::Scattered { cos: local.z, techniques: REFLECTION }
+                                } else {
+                                    Came::Specular
+                                };
+                                state.beta = kept_beta;
+                                state.bounces += 1;
+                                continue;
+                            }
+                        }
+                    }
+                    if !(material.diffuse..material.diffuse + material.specular).contains(&choice) {
+                        return;
+                    }
+                    let mirrored = direction - 2.0 * cos_facet * facet.normal;
+                    state.ray = Ray { origin: point, direction: mirrored, leaving: hit.facet };
+                    state.came = Came::Specular;
+                }
+                Kind::Window { glazing, frame } => {
+                    let incident = Direction::from_unit(frame.inward(direction));
+                    let kept = || state.came.kept_at_window(self, hit.facet, origin, cos_facet, hit.distance);
+                    let leaves = match glazing.straight(incident) {
+                        // a sensor's own few directions go both ways
+                        Some(straight) if state.came.is_sensor() => {
+                            let beta =
+                                state.beta * straight.transmittance * if incident.z < 0.0 { kept() } else { 1.0 };
+                            let ray = Ray { origin: point, direction, leaving: hit.facet };
+                            self.follow(
+                                State { ray, beta, came: Came::Specular, medium: Medium::AIR, ..state },
+                                &mut path.branch(),
+                            );
+                            state.beta *= straight.reflectance;
+                            direction - 2.0 * cos_facet * facet.normal
+                        }
+                        _ => {
+                            let [u, v] = event.start();
+                            let u = [u, v, path.numbers.rng.uniform()];
+                            let Scattered::Leaves { direction: leaves, total_reflections } =
+                                glazing.scatter(incident, u)
+                            else {
+                                return;
+                            };
+                            if leaves.z < 0.0 && incident.z < 0.0 {
+                                state.beta *= kept();
+                            }
+                            state.redirected |= total_reflections > 0;
+                            frame.outward(*leaves)
+                        }
+                    };
+                    state.ray = Ray { origin: point, direction: leaves, leaving: hit.facet };
+                    state.came = Came::Specular;
+                }
+                Kind::Interface { front, back } => {
+                    let (here, beyond) = if cos_facet < 0.0 { (*front, *back) } else { (*back, *front) };
+                    let normal = if cos_facet < 0.0 { facet.normal } else { -facet.normal };
+                    // the first boundary met tells what the ray came through
+                    if state.medium != here {
+                        state.beta *= here.left_after(hit.distance) / state.medium.left_after(hit.distance);
+                    }
+                    let interface = Interface { n_i: here.n, n_t: beyond.n };
+                    let reflectance = match interface.split(cos_facet.abs().min(1.0)) {
+                        Split::Total { .. } => {
+                            state.redirected = true;
+                            1.0
+                        }
+                        Split::Partial { amplitude_s: s, amplitude_p: p, .. } => 0.5 * (s * s + p * p),
+                    };
+                    let through = if event.start()[0] < reflectance {
+                        None
+                    } else {
+                        optics::refract(direction, normal, interface)
+                    };
+                    (state.ray.direction, state.medium) = match through {
+                        Some(refracted) => (refracted.normalize(), beyond),
+                        None => (optics::mirror(direction, normal), here),
+                    };
+                    (state.ray.origin, state.ray.leaving) = (point, hit.facet);
+                    state.came = Came::Specular;
+                }
+            }
+            if state.beta == 0.0 {
+                return;
+            }
+        }
+    }
+
+    fn part(&self, state: &State<'_>) -> Part {
+        match state.bounces {
+            0 if state.redirected => Part::Redirected,
+            0 => Part::Direct,
+            n if self.max_bounces.is_some_and(|most| n > most) => Part::Lost,
+            _ => Part::Interreflected,
+        }
+    }
+}
+
+impl Came<'_> {
+    fn is_sensor(&self) -> bool {
+        matches!(self, Self::Scattered { techniques: Techniques { nodes: Some(_), .. }, .. })
+    }
+
+    /// The share of a window point's light that a drawn direction keeps, the rest being left to the drawn window points
+    /// (balance heuristic, theory/room.md, eq. 6).
+    fn kept_at_window(&self, walker: &Walker<'_>, facet: u32, origin: Vec3, cos_facet: f64, distance: f64) -> f64 {
+        let Self::Scattered { cos, techniques } = self else { return 1.0 };
+        let by_direction = techniques.directions * cos * cos_facet.abs() / (PI * distance * distance);
+        let by_point = techniques.window_points * walker.portals.density(walker.scene, facet, origin);
+        by_direction / (by_direction + by_point)
+    }
+
+    /// The same for a point of a diffuse surface, the rest being left to the nodes.
+    fn kept_at_node(&self, scene: &Scene, facet: u32, cos_facet: f64, distance: f64) -> f64 {
+        let Self::Scattered { cos, techniques: Techniques { directions, nodes: Some(nodes), .. } } = self else {
+            return 1.0;
+        };
+        let by_direction = directions * cos * cos_facet.abs() / (PI * distance * distance);
+        let by_node = nodes.per_m2(scene.facet(facet).surface, cos_facet < 0.0);
+        by_direction / (by_direction + by_node)
+    }
+}
+
+/// A direction about z with density cos θ/π: the unit square to a disc without tearing neighbours apart (P. Shirley, K. Chiu,
+/// JGT 2(3), 1997), then up to the hemisphere (Malley).
+#[inline]
+pub fn cosine_direction(u: [f64; 2]) -> Vec3 {
+    let (a, b) = (2.0 * u[0] - 1.0, 2.0 * u[1] - 1.0);
+    let (r, angle) = if a.abs() > b.abs() {
+        (a, PI / 4.0 * (b / a))
+    } else if b != 0.0 {
+        (b, PI / 2.0 - PI / 4.0 * (a / b))
+    } else {
+        return Vec3::Z;
+    };
+    let (sine, cosine) = angle.sin_cos();
+    Vec3::new(r * cosine, r * sine, (1.0 - r * r).max(0.0).sqrt())
+}
