@@ -1,0 +1,20 @@
+"""The command ``clerestory``: the Python API by the same names, results in files."""
+
+import typer
+
+from clerestory.cli.doctor import doctor
+from clerestory.cli.panel import panel
+
+app = typer.Typer(
+    name="clerestory",
+    help="Design, characterise and simulate windows that redirect light.",
+    no_args_is_help=True,
+    add_completion=True,
+    rich_markup_mode="rich",
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+app.add_typer(panel, name="panel")
+app.command("doctor")(doctor)
+
+__all__ = ["app"]
