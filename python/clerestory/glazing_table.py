@@ -1,0 +1,96 @@
+"""Glazings as tables of a TOML file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import MISSING, fields
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from clerestory.errors import ClerestoryError
+from clerestory.glazing import Glass, Glazing, Open, PlainTransmittance, Slab, TregenzaSharples
+from clerestory.room.toml_table import Table
+from clerestory.rules import one_of
+
+KINDS: dict[str, type[Any]] = {
+    "open": Open,
+    "plain": PlainTransmittance,
+    "glass": Glass,
+    "tregenza-sharples": TregenzaSharples,
+    "slab": Slab,
+}
+"""The word after ``kind =`` and what it makes."""
+
+
+def glazing_tables(tables: Table, folder: Path) -> Callable[[Any], Glazing]:
+    """The glazings of a file by name, each made once.
+
+    Parameters
+    ----------
+    tables : Table
+        Name → table.
+    folder : Path
+        Where files that the tables name are looked for.
+    """
+
+    @cache
+    def named(name: str) -> Glazing:
+        one_of(f"glazing of {tables.where}", name, tables.values)
+        return read_glazing(Table(tables.values[name], f"[{name}] in {tables.where}"), named, folder)
+
+    def looked_up(name: Any) -> Glazing:
+        if not isinstance(name, str):
+            raise ClerestoryError(f"glazing must be a name of {tables.where}, got {name!r}")
+        return named(name)
+
+    return looked_up
+
+
+def read_glazing(table: Table, named: Callable[[Any], Glazing], folder: Path) -> Glazing:
+    """The glazing that a table describes.
+
+    Parameters
+    ----------
+    table : Table
+        With ``kind`` and the parameters of that kind.
+    named : callable
+        Name → glazing.
+
+    Raises
+    ------
+    ClerestoryError
+        If the kind is unknown, or a parameter is unknown, missing or out of range.
+    """
+    kind = KINDS[one_of(f"kind of {table.where}", table.take("kind"), KINDS)]
+    made: Glazing = build(kind, table)
+    return made
+
+
+def build(kind: type[Any], table: Table) -> Any:
+    """A dataclass from a table whose keys are its parameters."""
+    parameters = fields(kind)
+    values = table.rest(*(parameter.name for parameter in parameters))
+    for parameter in parameters:
+        required = parameter.default is MISSING and parameter.default_factory is MISSING
+        if required and parameter.name not in values:
+            table.take(parameter.name)
+    try:
+        return kind(**values)
+    except ClerestoryError as cause:
+        raise ClerestoryError(f"{table.where}: {cause}") from cause
+
+
+def write_glazing(glazing: Glazing, name_of: Callable[[Glazing], str]) -> dict[str, Any]:
+    """The table that describes a glazing.
+
+    Raises
+    ------
+    ClerestoryError
+        If it is of a kind that has no table.
+    """
+    word = next((word for word, kind in KINDS.items() if type(glazing) is kind), None)
+    if word is None:
+        raise ClerestoryError(f"glazing must be one of {', '.join(KINDS)} to be written as TOML, got {glazing!r}")
+    values = {parameter.name: getattr(glazing, parameter.name) for parameter in fields(glazing)}  # type: ignore[arg-type]
+    return {"kind": word, **{name: value for name, value in values.items() if value is not None}}
