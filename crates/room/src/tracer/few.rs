@@ -66,6 +66,9 @@ impl Few {
             Some(sides) => sides[usize::from(d.dot(facets[leaving as usize].normal) > 0.0)],
             None => self.all,
         };
+        if candidates == 0 {
+            return None;
+        }
         let mut distance = [0.0; MOST];
         for (turn, lanes) in distance[..self.padded].chunks_exact_mut(LANES).enumerate() {
             for (lane, t) in lanes.iter_mut().enumerate() {

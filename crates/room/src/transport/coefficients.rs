@@ -222,11 +222,14 @@ impl Plan {
         let pilot = pilot(walker, sensors, Rng::new(settings.seed, u64::MAX).bits());
         let shared = settings.nodes.div_ceil(NODES_PER_SHARED_DIRECTION * sensors.len());
         let least = settings.nodes.div_ceil(NODES_PER_DIRECTION).max(shared) as u32;
+        // half of the patches lie behind; about as many of these directions as window points then find a window
+        let patch_directions = (2 * settings.window_samples).div_ceil(walker.basis.patches()) as u32;
         let own = pilot
             .alone
             .iter()
             .map(|alone| Own {
                 window_points: settings.window_samples as u32,
+                patch_directions,
                 directions: least.max((alone * settings.window_samples as f64).ceil() as u32),
             })
             .collect();

@@ -48,6 +48,8 @@ impl Round {
 pub struct Own {
     /// Window points.
     pub window_points: u32,
+    /// Directions in each patch of the sky, looked for behind windows that turn no light.
+    pub patch_directions: u32,
     /// Directions over the hemisphere.
     pub directions: u32,
 }
@@ -98,17 +100,15 @@ fn explore(
     let vertex = Vertex { place: sensors.place(i), normal: sensors.normal(i), facet: NO_FACET };
     let techniques = Techniques {
         directions: f64::from(own.directions),
-        window_points: f64::from(own.window_points),
+        window_points: own.window_points,
+        patch_directions: own.patch_directions,
         nodes: Some(density),
     };
     // sensors draw independent points, so that their errors do not line up
     let seed = Rng::new(seed, i as u64).bits();
-    let windows = Sobol { seed };
-    for index in 0..own.window_points {
-        let mut path = Path { numbers: Numbers::new(windows, index), out };
-        let event = path.numbers.event();
-        walker.look_out(&vertex, PI, &techniques, 0, &event, &mut path);
-    }
+    let mut path = Path { numbers: Numbers::new(Sobol { seed }, 0), out };
+    walker.look_out(&vertex, PI, &techniques, 0, &mut path);
+    walker.look_at_patches(&vertex, PI, &techniques, &mut path);
     let directions = Sobol { seed: !seed };
     for index in 0..own.directions {
         let mut path = Path { numbers: Numbers::new(directions, index), out };

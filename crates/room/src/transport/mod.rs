@@ -7,6 +7,7 @@
 pub mod coefficients;
 mod estimate;
 mod gather;
+mod look_out;
 mod nodes;
 mod numbers;
 mod portals;

@@ -64,27 +64,15 @@ impl Event {
         [self.number(0), self.number(1)]
     }
 
-    /// Which point of a window is looked through.
-    #[inline]
-    pub fn window_point(&self) -> [f64; 2] {
-        [self.number(2), self.number(3)]
-    }
-
     /// Which direction a reflection takes.
     #[inline]
     pub fn direction(&self) -> [f64; 2] {
-        [self.number(4), self.number(5)]
-    }
-
-    /// Which window is looked through.
-    #[inline]
-    pub fn window(&self) -> f64 {
-        self.number(6)
+        [self.number(2), self.number(3)]
     }
 
     /// What becomes of the path.
     #[inline]
     pub fn choice(&self) -> f64 {
-        self.number(7)
+        self.number(4)
     }
 }

@@ -1,9 +1,8 @@
 //! Points on the windows, drawn to look out through them instead of searching the room for the way out.
 
-use super::numbers::Event;
 use crate::scene::Scene;
 use crate::surface::Kind;
-use hemisphere::Vec3;
+use hemisphere::{SobolPoint, Vec3};
 
 /// The windows of a scene.
 pub struct Portals {
@@ -19,7 +18,7 @@ struct Portal {
     density: f64,
 }
 
-/// A point on a window and the density it was drawn with [1/m²].
+/// A point drawn on a window.
 pub struct Drawn {
     /// Which surface.
     pub surface: u32,
@@ -27,8 +26,6 @@ pub struct Drawn {
     pub facet: u32,
     /// Where.
     pub point: Vec3,
-    /// Density of such points [1/m²].
-    pub density: f64,
 }
 
 impl Portals {
@@ -44,18 +41,28 @@ impl Portals {
         Self { windows: windows.collect() }
     }
 
+    /// Whether there is no window.
+    pub fn is_empty(&self) -> bool {
+        self.windows.is_empty()
+    }
+
+    /// Surface and facet of each window.
+    pub fn windows(&self) -> impl Iterator<Item = (u32, u32)> + '_ {
+        self.windows.iter().map(|w| (w.surface, w.facet))
+    }
+
     /// Draws a point; `None` without windows.
     #[inline]
-    pub fn draw(&self, scene: &Scene, event: &Event) -> Option<Drawn> {
+    pub fn draw(&self, scene: &Scene, u: &SobolPoint) -> Option<Drawn> {
         let last = self.windows.len().checked_sub(1)?;
         let i = if last == 0 {
             0
         } else {
-            let pick = event.window();
+            let pick = u.coordinate(2);
             self.windows.iter().position(|w| pick < w.up_to_here).unwrap_or(last)
         };
-        let Portal { surface, facet, density, .. } = self.windows[i];
-        Some(Drawn { surface, facet, point: scene.facet(facet).point(event.window_point()), density })
+        let Portal { surface, facet, .. } = self.windows[i];
+        Some(Drawn { surface, facet, point: scene.facet(facet).point([u.coordinate(0), u.coordinate(1)]) })
     }
 
     /// The density with which a point of a window is drawn from `seen_from` [1/m²]: none from outside.

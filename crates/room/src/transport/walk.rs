@@ -1,8 +1,9 @@
 //! One path, followed from where its light is wanted until it ends in the sky or is absorbed (theory/room.md, eqs. 3–8).
 
+use super::look_out::Sight;
 use super::nodes::NodeDensity;
 use super::numbers::{Event, Numbers};
-use super::portals::{Drawn, Portals};
+use super::portals::Portals;
 use super::{Entry, Part};
 use crate::scene::Scene;
 use crate::surface::{Kind, Medium};
@@ -38,7 +39,7 @@ pub struct Path<'a> {
 
 impl Path<'_> {
     /// A way that branches off.
-    fn branch(&mut self) -> Path<'_> {
+    pub fn branch(&mut self) -> Path<'_> {
         Path { numbers: self.numbers.branch(), out: self.out }
     }
 }
@@ -49,35 +50,38 @@ pub struct Techniques<'a> {
     /// Directions drawn by the cosine law.
     pub directions: f64,
     /// Points drawn on windows.
-    pub window_points: f64,
+    pub window_points: u32,
+    /// Directions drawn in each patch of the sky, for windows that turn no light.
+    pub patch_directions: u32,
     /// Points drawn on surfaces.
     pub nodes: Option<&'a NodeDensity>,
 }
 
-/// At every diffuse reflection: one direction, one window point.
-const REFLECTION: Techniques<'static> = Techniques { directions: 1.0, window_points: 1.0, nodes: None };
+/// At every diffuse reflection: one direction and a few window points, which cost little and spare noise.
+pub const REFLECTION: Techniques<'static> =
+    Techniques { directions: 1.0, window_points: 3, patch_directions: 0, nodes: None };
 
 /// A ray of which the share s is kept is followed with probability 8 s: its light is then of even weight, and little.
 const FOLLOWED: f64 = 8.0;
 
 /// Whence a ray comes, as far as another technique could have found its end.
-enum Came<'a> {
+pub enum Came<'a> {
     /// From a diffuse vertex at this cosine.
     Scattered { cos: f64, techniques: Techniques<'a> },
     /// From a mirror, a window or a boundary: no other technique follows these.
     Specular,
 }
 
-struct State<'a> {
-    ray: Ray,
+pub struct State<'a> {
+    pub ray: Ray,
     /// What its radiance counts for.
-    beta: f64,
-    came: Came<'a>,
-    bounces: u32,
-    redirected: bool,
-    medium: Medium,
+    pub beta: f64,
+    pub came: Came<'a>,
+    pub bounces: u32,
+    pub redirected: bool,
+    pub medium: Medium,
     /// Whether diffuse vertices look for windows.
-    looks_out: bool,
+    pub looks_out: bool,
 }
 
 impl Walker<'_> {
@@ -92,7 +96,7 @@ impl Walker<'_> {
         event: &Event,
         path: &mut Path<'_>,
     ) {
-        self.look_out(vertex, beta * reflectance, &REFLECTION, bounces, event, path);
+        self.look_out(vertex, beta * reflectance, &REFLECTION, bounces, path);
         // roulette by the reflectance itself keeps beta as it is
         if event.choice() < reflectance {
             self.scattered(vertex, beta, REFLECTION, bounces, event.direction(), path);
@@ -123,64 +127,8 @@ impl Walker<'_> {
         self.follow(state, path);
     }
 
-    /// Light arriving at a vertex through a point drawn on a window (theory/room.md, eqs. 5–6); `beta` counts the mean radiance.
-    pub fn look_out(
-        &self,
-        vertex: &Vertex,
-        beta: f64,
-        techniques: &Techniques<'_>,
-        bounces: u32,
-        event: &Event,
-        path: &mut Path<'_>,
-    ) {
-        let Some(Drawn { surface, facet, point, density }) = self.portals.draw(self.scene, event) else {
-            return;
-        };
-        let way = point - vertex.place.position;
-        let (cos_here, cos_there) = (way.dot(vertex.normal), -way.dot(self.scene.facet(facet).normal));
-        if cos_here <= 0.0 || cos_there <= 0.0 {
-            return;
-        }
-        let distance2 = way.length_squared();
-        // density of the same point when its direction is drawn by the cosine law
-        let by_direction = cos_here * cos_there / (PI * distance2 * distance2);
-        // balance heuristic: each technique counts by the density of all
-        let weight = by_direction / (techniques.window_points * density + techniques.directions * by_direction);
-        if !self.scene.tracer.visible(&vertex.place, &self.scene.tracer.place_on(facet, point)) {
-            return;
-        }
-        let Kind::Window { glazing, frame } = &self.scene.surfaces[surface as usize].kind else { return };
-        let direction = way / distance2.sqrt();
-        let incident = Direction::from_unit(frame.inward(direction));
-        let (outgoing, share, total_reflections) = match glazing.straight(incident) {
-            Some(straight) => (direction, straight.transmittance, 0),
-            None => {
-                let u = [path.numbers.rng.uniform(), path.numbers.rng.uniform(), path.numbers.rng.uniform()];
-                match glazing.scatter(incident, u) {
-                    // what turns back into the room is left to the drawn directions
-                    Scattered::Leaves { direction, total_reflections } if direction.z < 0.0 => {
-                        (frame.outward(*direction), 1.0, total_reflections)
-                    }
-                    _ => return,
-                }
-            }
-        };
-        let beta = beta * weight * share;
-        if beta > 0.0 {
-            let state = State {
-                ray: Ray { origin: point, direction: outgoing, leaving: facet },
-                beta,
-                came: Came::Specular,
-                bounces,
-                redirected: total_reflections > 0,
-                medium: Medium::AIR,
-                looks_out: false,
-            };
-            self.follow(state, &mut path.branch());
-        }
-    }
-
-    fn follow(&self, mut state: State<'_>, path: &mut Path<'_>) {
+    /// Follows a path to its end.
+    pub fn follow(&self, mut state: State<'_>, path: &mut Path<'_>) {
         let scene = self.scene;
         loop {
             let Ray { origin, direction, .. } = state.ray;
@@ -208,7 +156,7 @@ impl Walker<'_> {
                                 Vertex { place: scene.tracer.place_on(hit.facet, point), normal, facet: hit.facet };
                             if state.looks_out {
                                 let beta = kept_beta * material.diffuse;
-                                self.look_out(&vertex, beta, &REFLECTION, state.bounces + 1, &event, path);
+                                self.look_out(&vertex, beta, &REFLECTION, state.bounces + 1, path);
                             }
                             if choice < material.diffuse {
                                 let local = cosine_direction(event.direction());
@@ -234,8 +182,17 @@ impl Walker<'_> {
                 }
                 Kind::Window { glazing, frame } => {
                     let incident = Direction::from_unit(frame.inward(direction));
-                    let kept = || state.came.kept_at_window(self, hit.facet, origin, cos_facet, hit.distance);
-                    let leaves = match glazing.straight(incident) {
+                    let straight = glazing.straight(incident);
+                    let kept = || match &state.came {
+                        Came::Scattered { cos, techniques } => {
+                            let sight =
+                                Sight { facet: hit.facet, from: origin, direction, distance: hit.distance, cos: *cos };
+                            let patches = if straight.is_some() { techniques.patch_directions } else { 0 };
+                            sight.share_of_directions(self, techniques, patches)
+                        }
+                        Came::Specular => 1.0,
+                    };
+                    let leaves = match straight {
                         // a sensor's own few directions go both ways
                         Some(straight) if state.came.is_sensor() => {
                             let beta =
@@ -315,16 +272,8 @@ impl Came<'_> {
         matches!(self, Self::Scattered { techniques: Techniques { nodes: Some(_), .. }, .. })
     }
 
-    /// The share of a window point's light that a drawn direction keeps, the rest being left to the drawn window points
-    /// (balance heuristic, theory/room.md, eq. 6).
-    fn kept_at_window(&self, walker: &Walker<'_>, facet: u32, origin: Vec3, cos_facet: f64, distance: f64) -> f64 {
-        let Self::Scattered { cos, techniques } = self else { return 1.0 };
-        let by_direction = techniques.directions * cos * cos_facet.abs() / (PI * distance * distance);
-        let by_point = techniques.window_points * walker.portals.density(walker.scene, facet, origin);
-        by_direction / (by_direction + by_point)
-    }
-
-    /// The same for a point of a diffuse surface, the rest being left to the nodes.
+    /// The share of a surface point's light that a drawn direction keeps, the rest being left to the nodes (balance heuristic,
+    /// theory/room.md, eq. 6).
     fn kept_at_node(&self, scene: &Scene, facet: u32, cos_facet: f64, distance: f64) -> f64 {
         let Self::Scattered { cos, techniques: Techniques { directions, nodes: Some(nodes), .. } } = self else {
             return 1.0;
