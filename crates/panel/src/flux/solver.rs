@@ -31,6 +31,9 @@ impl Default for Limits {
     }
 }
 
+/// Bundles (facet, hand and direction) kept at most: cuts whose tilt is no even part of a turn send light into ever new
+/// directions, and there the walk that finishes is the better tool.
+const MOST_BUNDLES: usize = 1500;
 /// Share of the tolerance that joining neighbours may displace in all, and at one joint.
 const DISPLACED_SHARE: f64 = 1.0;
 const MERGE_SHARE: f64 = 1e-3;
@@ -144,7 +147,7 @@ impl<P: Payload> Solver<P> {
         let sky = Source { start: Vec2::new(z, 0.0), end: Vec2::new(z, profile.period()), hand: None, medium };
         let entry = self.open_channel(profile, media, sky, direction);
         self.emit(entry, 0.0, 1.0, Piece { mean: P::UNPOLARISED, slope: P::ZERO, total_reflections: 0 });
-        while self.pieces < limits.most_pieces {
+        while self.pieces < limits.most_pieces && self.bundle_count < MOST_BUNDLES {
             let mut strongest = (0, 0.0);
             let mut waiting = 0.0;
             for (i, &power) in self.waiting.iter().enumerate() {
