@@ -9,7 +9,7 @@ use hemisphere::{Sobol, Vec3};
 use optics::Stokes;
 
 /// Rays that follow what is left.
-const RAYS: u32 = 4096;
+pub const RAYS: u32 = 4096;
 /// Any seed will do; one for all keeps results reproducible.
 const SEED: u64 = 0x00c1_e7e5_7021;
 

@@ -2,7 +2,7 @@
 
 use crate::{
     error::PanelError,
-    finish::finish,
+    finish::{self, finish},
     flux::{Limits, Payload, Solver},
     media::Media,
     profile::Profile,
@@ -184,6 +184,12 @@ impl Panel {
 }
 
 impl Outcome {
+    /// A bound on the standard error of any share by the walk that finished: that of as many independent rays, of which
+    /// half go one way.
+    pub fn walked_standard_error(&self) -> f64 {
+        0.5 * self.walked / f64::from(finish::RAYS).sqrt()
+    }
+
     /// Adds light to the beam of its direction.
     pub(crate) fn add(&mut self, direction: Vec3, stokes: Stokes, total_reflections: u16) {
         let is_same = |b: &&mut Beam| (b.direction.vector() - direction).length_squared() < SAME_DIRECTION;

@@ -3,6 +3,7 @@
 use crate::{
     arrays::{columns, directions},
     errors::{self, mistake},
+    glazing::PyGlazing,
 };
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArray3, PyReadonlyArray1, PyReadonlyArray2,
@@ -284,6 +285,11 @@ impl PyPanel {
             found.iter().map(|s| s.medium).collect(),
             found.iter().map(|s| s.total_reflections).collect(),
         ))
+    }
+
+    /// The panel as what fills a window.
+    fn glazing(&self) -> PyGlazing {
+        PyGlazing(Arc::new(self.0.clone()))
     }
 
     /// Names of the columns of every table of shares.
