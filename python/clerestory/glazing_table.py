@@ -10,6 +10,9 @@ from typing import Any
 
 from clerestory.errors import ClerestoryError
 from clerestory.glazing import Glass, Glazing, Open, PlainTransmittance, Slab, TregenzaSharples
+from clerestory.panels.panel import Panel
+from clerestory.panels.writing import kinds as panel_kinds
+from clerestory.panels.writing import panel_from_dict, panel_to_dict, read_panel
 from clerestory.room.toml_table import Table
 from clerestory.rules import one_of
 
@@ -53,7 +56,7 @@ def read_glazing(table: Table, named: Callable[[Any], Glazing], folder: Path) ->
     Parameters
     ----------
     table : Table
-        With ``kind`` and the parameters of that kind.
+        With ``kind`` and the parameters of that kind, or with the ``file`` of a panel.
     named : callable
         Name → glazing.
 
@@ -62,7 +65,18 @@ def read_glazing(table: Table, named: Callable[[Any], Glazing], folder: Path) ->
     ClerestoryError
         If the kind is unknown, or a parameter is unknown, missing or out of range.
     """
-    kind = KINDS[one_of(f"kind of {table.where}", table.take("kind"), KINDS)]
+    if "file" in table.values:
+        path = folder / str(table.take("file"))
+        table.finish()
+        return read_panel(path)
+    panels = panel_kinds()
+    word = one_of(f"kind of {table.where}", table.take("kind"), (*KINDS, *panels))
+    if word in panels:
+        try:
+            return panel_from_dict({"kind": word, **table.values})
+        except ClerestoryError as cause:
+            raise ClerestoryError(f"{table.where}: {cause}") from cause
+    kind = KINDS[word]
     made: Glazing = build(kind, table)
     return made
 
@@ -89,6 +103,8 @@ def write_glazing(glazing: Glazing, name_of: Callable[[Glazing], str]) -> dict[s
     ClerestoryError
         If it is of a kind that has no table.
     """
+    if isinstance(glazing, Panel):
+        return panel_to_dict(glazing)
     word = next((word for word, kind in KINDS.items() if type(glazing) is kind), None)
     if word is None:
         raise ClerestoryError(f"glazing must be one of {', '.join(KINDS)} to be written as TOML, got {glazing!r}")

@@ -5,6 +5,8 @@ import pytest
 
 from clerestory.errors import ClerestoryError
 from clerestory.glazing import Glass, Open, Slab
+from clerestory.medium import Medium
+from clerestory.panels import LaserCutPanel
 from clerestory.room import (
     FacingBuilding,
     Interface,
@@ -161,3 +163,23 @@ def test_file_that_is_not_there_or_no_text_is_an_error(tmp_path):
     (tmp_path / "noise.toml").write_bytes(bytes(range(128, 256)))
     with pytest.raises(ClerestoryError, match=r"noise.toml must be TOML"):
         read_room(tmp_path / "noise.toml")
+
+
+def test_panels_fill_windows_from_tables_and_files(tmp_path):
+    panel = LaserCutPanel(spacing_mm=4.0, thickness_mm=6.0, medium=Medium.named("pmma"))
+    panel.to_toml(tmp_path / "panel.toml")
+    here = CLASSROOM.replace(
+        'kind = "slab"\nrefractive_index = 1.52', 'kind = "laser-cut"\nspacing_mm = 4.0\nmedium = "pmma"'
+    )
+    beside = CLASSROOM.replace('kind = "slab"\nrefractive_index = 1.52\nthickness_mm = 6.0', 'file = "panel.toml"')
+    rooms = [read_room(written(tmp_path, text, name)) for text, name in ((here, "a.toml"), (beside, "b.toml"))]
+    for room in rooms:
+        assert room.windows[0].glazing == panel
+        assert read_room(written(tmp_path, room_to_toml(room))) == room
+    assert len(rooms[0].scene.surfaces) == len(rooms[0].surfaces) + 2
+
+
+def test_mistakes_in_a_panel_name_its_table(tmp_path):
+    text = CLASSROOM.replace('kind = "slab"\nrefractive_index = 1.52', 'kind = "laser-cut"\nspacing_mm = -4.0')
+    with pytest.raises(ClerestoryError, match=r"\[double\] in \[glazings\] of room.toml: spacing_mm"):
+        read_room(written(tmp_path, text))

@@ -79,6 +79,15 @@ class Panel:
     def __reduce__(self) -> tuple[Any, ...]:
         return _made_again, (type(self), self.arguments)
 
+    def glazing(self) -> _native.Glazing:
+        """The panel as what fills a window: polarisation resolved, daylight as the eye weighs it, arcs as chords."""
+        from clerestory.panels.optics import exact_optics
+
+        optics, _ = exact_optics(
+            self, wavelength_nm=None, polarisation="resolved", tolerance=TOLERANCE, arc_chords=ARC_CHORDS
+        )
+        return optics.glazing()
+
     def lobes(
         self,
         *,
