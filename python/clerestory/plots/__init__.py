@@ -4,6 +4,20 @@ from clerestory.plots.deflected_fraction import deflected_fraction
 from clerestory.plots.dispersion import dispersion
 from clerestory.plots.radial import radial
 from clerestory.plots.regression import regression
+from clerestory.plots.room_ceiling import room_ceiling
+from clerestory.plots.room_plan import room_plan
+from clerestory.plots.room_section import room_section
 from clerestory.plots.section import section
+from clerestory.plots.sky_dome import sky_dome
 
-__all__ = ["deflected_fraction", "dispersion", "radial", "regression", "section"]
+__all__ = [
+    "deflected_fraction",
+    "dispersion",
+    "radial",
+    "regression",
+    "room_ceiling",
+    "room_plan",
+    "room_section",
+    "section",
+    "sky_dome",
+]
