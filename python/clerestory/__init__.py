@@ -3,6 +3,7 @@
 from clerestory._native import __version__
 from clerestory.coefficients import SensorWarning, daylight_coefficients
 from clerestory.compare import Comparison, compare
+from clerestory.drawing.line import Face, Outline
 from clerestory.errors import ClerestoryError
 from clerestory.glazing import Glass, Open, PlainTransmittance, Slab, TregenzaSharples
 from clerestory.illuminance import average_by_group, daylight_factor, illuminance, uniformity
@@ -11,7 +12,7 @@ from clerestory.measured_glass import MeasuredGlass, measured_glass, medium_of_p
 from clerestory.medium import Medium, medium_names
 from clerestory.medium_laws import AbsorptionSpectrum, Dispersion
 from clerestory.panels import ExtrudedPanel, LaserCutPanel, Pane, Panel, PrismaticPanel, panel_from_dict, read_panel
-from clerestory.profile import Facet, Profile
+from clerestory.profile import Facet, Profile, read_profile
 from clerestory.room import (
     FacingBuilding,
     Interface,
@@ -45,6 +46,7 @@ __all__ = [
     "Comparison",
     "Dispersion",
     "ExtrudedPanel",
+    "Face",
     "Facet",
     "FacingBuilding",
     "Glass",
@@ -58,6 +60,7 @@ __all__ = [
     "Mesh",
     "Open",
     "Opening",
+    "Outline",
     "Overhang",
     "Pane",
     "Panel",
@@ -88,6 +91,7 @@ __all__ = [
     "read_measured",
     "read_meshes",
     "read_panel",
+    "read_profile",
     "read_radiance",
     "read_room",
     "save",
