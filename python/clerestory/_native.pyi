@@ -206,3 +206,20 @@ def daylight_coefficients(
     threads: int | None = None,
     progress: Callable[[int, int, float, float], bool | None] | None = None,
 ) -> dict[str, Any]: ...
+def centre_coefficients(
+    scene: Scene, points: NDArray[float64], normals: NDArray[float64], basis: SkyBasis
+) -> dict[str, NDArray[float64]]: ...
+def sun_coefficients(
+    scene: Scene,
+    points: NDArray[float64],
+    normals: NDArray[float64],
+    sun_directions: NDArray[float64],
+    *,
+    seed: int = 0,
+    rounds: int = 8,
+    nodes: int = 512,
+    disc_samples: int = 4,
+    max_bounces: int | None = None,
+    threads: int | None = None,
+    progress: Callable[[int, int, float, float], bool | None] | None = None,
+) -> dict[str, Any]: ...

@@ -272,10 +272,73 @@ fn daylight_coefficients<'py>(
     Ok(result)
 }
 
+/// Direct and redirected coefficients by one ray at each sector's centre, as published, (sensor, patch) [sr].
+#[pyfunction]
+fn centre_coefficients<'py>(
+    py: Python<'py>,
+    scene: &PyScene,
+    points: PyReadonlyArray2<'_, f64>,
+    normals: PyReadonlyArray2<'_, f64>,
+    basis: &PySkyBasis,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (points, normals) = (self::points("points", &points)?, self::points("normals", &normals)?);
+    let found = py.detach(|| room::centre_coefficients(&scene.0, &points, &normals, &basis.0)).map_err(errors::room)?;
+    let result = PyDict::new(py);
+    result.set_item("direct", table(py, found.direct, found.patches)?)?;
+    result.set_item("redirected", table(py, found.redirected, found.patches)?)?;
+    Ok(result)
+}
+
+/// Illuminance by each sun over the sun's normal illuminance, (sensor, sun); `sun_directions` point to the sun.
+#[pyfunction]
+#[pyo3(signature = (scene, points, normals, sun_directions, *, seed=0, rounds=8, nodes=512, disc_samples=4, max_bounces=None,
+    threads=None, progress=None))]
+#[allow(clippy::too_many_arguments)]
+fn sun_coefficients<'py>(
+    py: Python<'py>,
+    scene: &PyScene,
+    points: PyReadonlyArray2<'_, f64>,
+    normals: PyReadonlyArray2<'_, f64>,
+    sun_directions: PyReadonlyArray2<'_, f64>,
+    seed: u64,
+    rounds: usize,
+    nodes: usize,
+    disc_samples: usize,
+    max_bounces: Option<u32>,
+    threads: Option<usize>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (points, normals) = (self::points("points", &points)?, self::points("normals", &normals)?);
+    let suns = self::points("sun_directions", &sun_directions)?;
+    let settings = Settings { seed, rounds, nodes, max_bounces, ..Settings::default() };
+    let mut watch = Watch { progress, raised: None };
+    let found = py.detach(|| {
+        on_threads(threads, || {
+            let go_on = |p| watch.go_on(p);
+            room::sun_coefficients(&scene.0, &points, &normals, &suns, disc_samples, &settings, go_on)
+        })
+    })?;
+    if let Some(raised) = watch.raised {
+        return Err(raised);
+    }
+    let found = found.map_err(errors::room)?;
+    let result = PyDict::new(py);
+    put(&result, "direct", found.direct, found.suns)?;
+    put(&result, "redirected", found.redirected, found.suns)?;
+    put(&result, "interreflected", found.interreflected, found.suns)?;
+    result.set_item("lost", found.lost.map(|lost| table(py, lost, found.suns)).transpose()?)?;
+    result.set_item("rounds", found.rounds)?;
+    result.set_item("interrupted", found.interrupted)?;
+    result.set_item("seconds", found.seconds)?;
+    Ok(result)
+}
+
 /// Adds all of this file to the module.
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<PyMaterial>()?;
     module.add_class::<PySceneBuilder>()?;
     module.add_class::<PyScene>()?;
-    module.add_function(wrap_pyfunction!(daylight_coefficients, module)?)
+    module.add_function(wrap_pyfunction!(daylight_coefficients, module)?)?;
+    module.add_function(wrap_pyfunction!(centre_coefficients, module)?)?;
+    module.add_function(wrap_pyfunction!(sun_coefficients, module)?)
 }

@@ -127,6 +127,17 @@ pub enum RoomError {
         /// What the second says.
         two: String,
     },
+    /// A window that scatters the sun's light in no definite directions.
+    #[error(
+        "{name}: the sun's beams behind a window must have definite directions, got {residual:.3} of the light without; \
+         use smooth cuts, or daylight coefficients of a fine sky"
+    )]
+    NoLobes {
+        /// The window.
+        name: String,
+        /// The share of light without a direction.
+        residual: f64,
+    },
     /// A direction that is none.
     #[error("{name}: {what} must be a finite vector of some length, got {value}; correct it")]
     NoDirection {

@@ -16,4 +16,7 @@ pub use facet::Facet;
 pub use scene::{Scene, SceneBuilder, Surface};
 pub use surface::{Kind, Material, Medium};
 pub use transport::Part;
-pub use transport::coefficients::{Component, DaylightCoefficients, Progress, Settings, daylight_coefficients};
+pub use transport::centre::{CentreCoefficients, centre_coefficients};
+pub use transport::coefficients::{DaylightCoefficients, daylight_coefficients};
+pub use transport::rounds::{Component, Progress, Settings};
+pub use transport::sun::{SunCoefficients, sun_coefficients};

@@ -2,7 +2,7 @@
 //! (theory/room.md, eqs. 5 and 6).
 
 use super::portals::Drawn;
-use super::walk::{Came, Path, State, Techniques, Vertex, Walker};
+use super::walk::{Came, Light, Path, State, Techniques, Vertex, Walker};
 use crate::surface::{Kind, Medium};
 use crate::tracer::Ray;
 use hemisphere::{Direction, Sobol, Vec3};
@@ -39,11 +39,11 @@ impl Sight {
     fn density(&self, walker: &Walker<'_>, techniques: &Techniques<'_>, patches: u32) -> f64 {
         let by_point =
             f64::from(techniques.window_points) * walker.portals.density(walker.scene, self.facet, self.from);
-        let by_patch = if patches > 0 && self.direction.z >= 0.0 {
-            let omega = walker.basis.solid_angle(walker.basis.find(self.direction));
-            f64::from(patches) / omega * self.per_sr(walker)
-        } else {
-            0.0
+        let by_patch = match walker.light {
+            Light::Sky(basis) if patches > 0 && self.direction.z >= 0.0 => {
+                f64::from(patches) / basis.solid_angle(basis.find(self.direction)) * self.per_sr(walker)
+            }
+            _ => 0.0,
         };
         by_point + by_patch + techniques.directions * self.by_direction(walker)
     }
@@ -60,8 +60,12 @@ impl Sight {
 }
 
 impl Walker<'_> {
-    /// Light arriving at a vertex through points drawn on the windows; `beta` counts the mean radiance.
+    /// Light arriving at a vertex through points drawn on the windows, or from the suns; `beta` counts the mean radiance.
     pub fn look_out(&self, vertex: &Vertex, beta: f64, techniques: &Techniques<'_>, bounces: u32, path: &mut Path<'_>) {
+        if let Light::Suns(suns) = self.light {
+            suns.shine_on(self, vertex, beta, bounces, path);
+            return;
+        }
         let sobol = Sobol { seed: path.numbers.rng.bits() };
         for index in 0..techniques.window_points {
             let Some(Drawn { surface, facet, point }) = self.portals.draw(self.scene, &sobol.point(index, 0)) else {
@@ -78,14 +82,15 @@ impl Walker<'_> {
 
     /// Light arriving at a sensor along directions drawn evenly in every patch of the sky, through windows that turn no light.
     pub fn look_at_patches(&self, vertex: &Vertex, beta: f64, techniques: &Techniques<'_>, path: &mut Path<'_>) {
+        let Light::Sky(basis) = self.light else { return };
         if techniques.patch_directions == 0 || self.portals.is_empty() {
             return;
         }
-        for patch in 0..self.basis.ground() {
+        for patch in 0..basis.ground() {
             let sobol = Sobol { seed: path.numbers.rng.bits() };
             for index in 0..techniques.patch_directions {
                 let u = sobol.point(index, 0);
-                let direction = self.basis.sample(patch, [u.coordinate(0), u.coordinate(1)]);
+                let direction = basis.sample(patch, [u.coordinate(0), u.coordinate(1)]);
                 let cos = direction.dot(vertex.normal);
                 if cos <= 0.0 {
                     continue;

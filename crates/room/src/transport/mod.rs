@@ -2,8 +2,9 @@
 //!
 //! Everything is followed backwards, from where light is wanted to where it comes from. A [`walk::Walker`] follows one path; points
 //! on surfaces, [`nodes`], are shared by all sensors; [`gather`] joins the two into the coefficients of one round, and
-//! [`coefficients`] runs independent rounds until they are good enough.
+//! [`rounds`] runs independent ones until they are good enough.
 
+pub mod centre;
 pub mod coefficients;
 mod estimate;
 mod gather;
@@ -11,7 +12,10 @@ mod look_out;
 mod nodes;
 mod numbers;
 mod portals;
+pub mod rounds;
 mod sensors;
+pub mod sun;
+mod suns;
 mod walk;
 
 /// Which way light took from the sky to the sensor.

@@ -4,6 +4,7 @@ use super::look_out::Sight;
 use super::nodes::NodeDensity;
 use super::numbers::{Event, Numbers};
 use super::portals::Portals;
+use super::suns::Suns;
 use super::{Entry, Part};
 use crate::scene::Scene;
 use crate::surface::{Kind, Medium};
@@ -16,7 +17,8 @@ use std::f64::consts::PI;
 pub struct Walker<'a> {
     pub scene: &'a Scene,
     pub portals: &'a Portals,
-    pub basis: &'a SkyBasis,
+    /// Where light comes from.
+    pub light: &'a Light<'a>,
     /// Light that took more diffuse reflections is reported as lost.
     pub max_bounces: Option<u32>,
 }
@@ -57,9 +59,16 @@ pub struct Techniques<'a> {
     pub nodes: Option<&'a NodeDensity>,
 }
 
-/// At every diffuse reflection: one direction and a few window points, which cost little and spare noise.
-pub const REFLECTION: Techniques<'static> =
-    Techniques { directions: 1.0, window_points: 3, patch_directions: 0, nodes: None };
+/// Window points drawn at a diffuse reflection.
+const WINDOW_POINTS: u32 = 3;
+
+/// Where the light comes from.
+pub enum Light<'a> {
+    /// The sky and the ground, patch by patch.
+    Sky(&'a SkyBasis),
+    /// The sun at many places in turn.
+    Suns(Suns),
+}
 
 /// A ray of which the share s is kept is followed with probability 8 s: its light is then of even weight, and little.
 const FOLLOWED: f64 = 8.0;
@@ -96,10 +105,10 @@ impl Walker<'_> {
         event: &Event,
         path: &mut Path<'_>,
     ) {
-        self.look_out(vertex, beta * reflectance, &REFLECTION, bounces, path);
+        self.look_out(vertex, beta * reflectance, &self.reflection(), bounces, path);
         // roulette by the reflectance itself keeps beta as it is
         if event.choice() < reflectance {
-            self.scattered(vertex, beta, REFLECTION, bounces, event.direction(), path);
+            self.scattered(vertex, beta, self.reflection(), bounces, event.direction(), path);
         }
     }
 
@@ -133,8 +142,12 @@ impl Walker<'_> {
         loop {
             let Ray { origin, direction, .. } = state.ray;
             let Some(hit) = scene.tracer.closest(&state.ray) else {
-                let patch = self.basis.find(direction) as u32;
-                path.out.push(Entry { patch, part: self.part(&state), value: state.beta });
+                // suns are looked for where light is reflected, not met by chance
+                if let Light::Sky(basis) = self.light {
+                    let patch = basis.find(direction) as u32;
+                    let part = self.part(state.bounces, state.redirected);
+                    path.out.push(Entry { patch, part, value: state.beta });
+                }
                 return;
             };
             let point = origin + hit.distance * direction;
@@ -156,14 +169,14 @@ impl Walker<'_> {
                                 Vertex { place: scene.tracer.place_on(hit.facet, point), normal, facet: hit.facet };
                             if state.looks_out {
                                 let beta = kept_beta * material.diffuse;
-                                self.look_out(&vertex, beta, &REFLECTION, state.bounces + 1, path);
+                                self.look_out(&vertex, beta, &self.reflection(), state.bounces + 1, path);
                             }
                             if choice < material.diffuse {
                                 let local = cosine_direction(event.direction());
                                 let direction = Frame::about(Direction::from_unit(normal)).outward(local);
                                 state.ray = Ray { origin: point, direction, leaving: hit.facet };
                                 state.came = if state.looks_out {
-                                    Came::Scattered { cos: local.z, techniques: REFLECTION }
+                                    Came::Scattered { cos: local.z, techniques: self.reflection() }
                                 } else {
                                     Came::Specular
                                 };
@@ -257,13 +270,23 @@ impl Walker<'_> {
         }
     }
 
-    fn part(&self, state: &State<'_>) -> Part {
-        match state.bounces {
-            0 if state.redirected => Part::Redirected,
+    /// Which part light belongs to that took so many diffuse reflections.
+    pub fn part(&self, bounces: u32, redirected: bool) -> Part {
+        match bounces {
+            0 if redirected => Part::Redirected,
             0 => Part::Direct,
             n if self.max_bounces.is_some_and(|most| n > most) => Part::Lost,
             _ => Part::Interreflected,
         }
+    }
+
+    /// What is drawn at every diffuse reflection: one direction, and for the sky a few window points, which cost little.
+    fn reflection(&self) -> Techniques<'static> {
+        let window_points = match self.light {
+            Light::Sky(_) => WINDOW_POINTS,
+            Light::Suns(_) => 0,
+        };
+        Techniques { directions: 1.0, window_points, patch_directions: 0, nodes: None }
     }
 }
 
