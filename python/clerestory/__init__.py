@@ -1,43 +1,50 @@
 """Clerestory: design, characterise and simulate light-redirecting windows."""
 
+import sys
+from importlib import import_module
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
 from clerestory._native import __version__
-from clerestory.coefficients import SensorWarning, daylight_coefficients
-from clerestory.compare import Comparison, compare
-from clerestory.drawing.line import Face, Outline
-from clerestory.errors import ClerestoryError
-from clerestory.glazing import Glass, Open, PlainTransmittance, Slab, TregenzaSharples
-from clerestory.illuminance import average_by_group, daylight_factor, illuminance, uniformity
-from clerestory.measured import read_measured
-from clerestory.measured_glass import MeasuredGlass, measured_glass, medium_of_pane
-from clerestory.medium import Medium, medium_names
-from clerestory.medium_laws import AbsorptionSpectrum, Dispersion
-from clerestory.panels import ExtrudedPanel, LaserCutPanel, Pane, Panel, PrismaticPanel, panel_from_dict, read_panel
-from clerestory.profile import Facet, Profile, read_profile
-from clerestory.room import (
-    FacingBuilding,
-    Interface,
-    LightShelf,
-    Louvres,
-    Material,
-    Mesh,
-    Opening,
-    Overhang,
-    Part,
-    Room,
-    SensorGrid,
-    Sensors,
-    Surface,
-    Window,
-)
-from clerestory.room.mesh_file import read_meshes
-from clerestory.room.radiance_file import read_radiance
-from clerestory.room.toml_file import read_room
-from clerestory.room.toml_text import write_room
-from clerestory.saving import save
-from clerestory.site import Site
-from clerestory.sky import CieSky, sky_basis
-from clerestory.sun import sun_position
-from clerestory.sunlight import direct_normal_illuminance_lx
+
+if TYPE_CHECKING:
+    from clerestory.coefficients import SensorWarning, daylight_coefficients
+    from clerestory.compare import Comparison, compare
+    from clerestory.drawing.line import Face, Outline
+    from clerestory.errors import ClerestoryError
+    from clerestory.glazing import Glass, Open, PlainTransmittance, Slab, TregenzaSharples
+    from clerestory.illuminance import average_by_group, daylight_factor, illuminance, uniformity
+    from clerestory.measured import read_measured
+    from clerestory.measured_glass import MeasuredGlass, measured_glass, medium_of_pane
+    from clerestory.medium import Medium, medium_names
+    from clerestory.medium_laws import AbsorptionSpectrum, Dispersion
+    from clerestory.panels import ExtrudedPanel, LaserCutPanel, Pane, Panel, PrismaticPanel, panel_from_dict, read_panel
+    from clerestory.profile import Facet, Profile, read_profile
+    from clerestory.room import (
+        FacingBuilding,
+        Interface,
+        LightShelf,
+        Louvres,
+        Material,
+        Mesh,
+        Opening,
+        Overhang,
+        Part,
+        Room,
+        SensorGrid,
+        Sensors,
+        Surface,
+        Window,
+    )
+    from clerestory.room.mesh_file import read_meshes
+    from clerestory.room.radiance_file import read_radiance
+    from clerestory.room.toml_file import read_room
+    from clerestory.room.toml_text import write_room
+    from clerestory.saving import save
+    from clerestory.site import Site
+    from clerestory.sky import CieSky, sky_basis
+    from clerestory.sun import sun_position
+    from clerestory.sunlight import direct_normal_illuminance_lx
 
 __all__ = [
     "AbsorptionSpectrum",
@@ -100,3 +107,88 @@ __all__ = [
     "uniformity",
     "write_room",
 ]
+
+#: Where each name comes from: its module is imported when the name is first used, so that few wait for many.
+_PLACES = {
+    "SensorWarning": "clerestory.coefficients",
+    "daylight_coefficients": "clerestory.coefficients",
+    "Comparison": "clerestory.compare",
+    "compare": "clerestory.compare",
+    "Face": "clerestory.drawing.line",
+    "Outline": "clerestory.drawing.line",
+    "ClerestoryError": "clerestory.errors",
+    "Glass": "clerestory.glazing",
+    "Open": "clerestory.glazing",
+    "PlainTransmittance": "clerestory.glazing",
+    "Slab": "clerestory.glazing",
+    "TregenzaSharples": "clerestory.glazing",
+    "average_by_group": "clerestory.illuminance",
+    "daylight_factor": "clerestory.illuminance",
+    "illuminance": "clerestory.illuminance",
+    "uniformity": "clerestory.illuminance",
+    "read_measured": "clerestory.measured",
+    "MeasuredGlass": "clerestory.measured_glass",
+    "measured_glass": "clerestory.measured_glass",
+    "medium_of_pane": "clerestory.measured_glass",
+    "Medium": "clerestory.medium",
+    "medium_names": "clerestory.medium",
+    "AbsorptionSpectrum": "clerestory.medium_laws",
+    "Dispersion": "clerestory.medium_laws",
+    "ExtrudedPanel": "clerestory.panels",
+    "LaserCutPanel": "clerestory.panels",
+    "Pane": "clerestory.panels",
+    "Panel": "clerestory.panels",
+    "PrismaticPanel": "clerestory.panels",
+    "panel_from_dict": "clerestory.panels",
+    "read_panel": "clerestory.panels",
+    "Facet": "clerestory.profile",
+    "Profile": "clerestory.profile",
+    "read_profile": "clerestory.profile",
+    "FacingBuilding": "clerestory.room",
+    "Interface": "clerestory.room",
+    "LightShelf": "clerestory.room",
+    "Louvres": "clerestory.room",
+    "Material": "clerestory.room",
+    "Mesh": "clerestory.room",
+    "Opening": "clerestory.room",
+    "Overhang": "clerestory.room",
+    "Part": "clerestory.room",
+    "Room": "clerestory.room",
+    "SensorGrid": "clerestory.room",
+    "Sensors": "clerestory.room",
+    "Surface": "clerestory.room",
+    "Window": "clerestory.room",
+    "read_meshes": "clerestory.room.mesh_file",
+    "read_radiance": "clerestory.room.radiance_file",
+    "read_room": "clerestory.room.toml_file",
+    "write_room": "clerestory.room.toml_text",
+    "save": "clerestory.saving",
+    "Site": "clerestory.site",
+    "CieSky": "clerestory.sky",
+    "sky_basis": "clerestory.sky",
+    "sun_position": "clerestory.sun",
+    "direct_normal_illuminance_lx": "clerestory.sunlight",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _PLACES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(_PLACES[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
+
+
+class _Package(ModuleType):
+    """A package in which importing a module does not hide the function of the same name."""
+
+    def __setattr__(self, name: str, value: object) -> None:
+        if not (isinstance(value, ModuleType) and name in _PLACES):
+            super().__setattr__(name, value)
+
+
+sys.modules[__name__].__class__ = _Package

@@ -29,7 +29,7 @@ class Pane(Panel):
     Examples
     --------
     >>> round(Pane(thickness_mm=4.0, medium=Medium(n=1.52)).angular(elevation_deg=0).transmittance.item(), 4)
-    0.9182
+    0.9183
     """
 
     kind: ClassVar[str] = "pane"
