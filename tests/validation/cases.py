@@ -1,0 +1,33 @@
+"""The cases in the order of the page."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from pathlib import Path
+
+from tests.validation.claim import Claim
+
+FOLDER = Path(__file__).parent
+CASES = (
+    "energy",
+    "reciprocity",
+    "mirror_symmetry",
+    "scale_freedom",
+    "slab",
+    "laser_cut_series",
+    "laser_cut_rtrace",
+    "laser_cut_total",
+    "prism_rtrace",
+    "measured_glass",
+    "exact_monte_carlo",
+    "float_glass",
+    "deflected_fraction",
+    "published_diagrams",
+    "beam_picture",
+)
+
+
+def claim(case: str, *, thorough: bool) -> Claim:
+    """The outcome of one case, of few or of many panels and directions."""
+    found: Claim = import_module(f"tests.validation.{case}.measure").claim(thorough)
+    return found

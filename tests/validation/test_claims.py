@@ -1,0 +1,25 @@
+"""Every claim of docs/validation.md stands, tried on fewer panels and directions than the page."""
+
+import re
+
+import pytest
+from tests.validation.cases import CASES, FOLDER, claim
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_claim_stands(case):
+    found = claim(case, thorough=False)
+    failed = [measured.row for measured in found.measured if not measured.holds]
+    assert found.measured
+    assert not failed, "\n".join(failed)
+    assert found.figure.axes
+
+
+def test_every_case_is_on_the_page_and_says_what_it_asks():
+    folders = {path.parent.name for path in FOLDER.glob("*/measure.py")}
+    assert folders == set(CASES)
+    for case in CASES:
+        text = (FOLDER / case / "README.md").read_text(encoding="utf-8")
+        assert re.match(r"# .+\n\n\*\*Question\.\*\* ", text), case
+        assert "\n\n**Source.** " in text, case
+        assert "\n\n**Tolerance.** " in text, case
