@@ -97,7 +97,9 @@ PROFILES = [
 QUESTIONS = [
     ({"elevation_deg": 90.5}, "elevation_deg must be greater than -90 and less than 90, got 90.5"),
     ({"elevation_deg": -90}, "elevation_deg must be greater than -90 and less than 90, got -90"),
-    ({"elevation_deg": math.nan}, "elevation_deg must be"),
+    ({"elevation_deg": math.nan}, "elevation_deg must be finite, got nan"),
+    ({"elevation_deg": True}, "elevation_deg must be a number"),
+    ({"elevation_deg": None}, "elevation_deg must be a number"),
     ({"elevation_deg": "high"}, "elevation_deg must be a number"),
     ({"elevation_deg": 0, "azimuth_deg": 120}, "azimuth_deg must be greater than -90 and less than 90, got 120"),
     ({"elevation_deg": 0, "side": "left"}, "side must be one of front, back, got 'left'"),
@@ -105,13 +107,18 @@ QUESTIONS = [
     ({"elevation_deg": 0, "tolerance": 0}, "tolerance must be between 0 and 1, got 0"),
     ({"elevation_deg": 0, "tolerance": True}, "tolerance must be a number, got True"),
     ({"elevation_deg": 0, "arc_chords": 1}, "arc_chords must be a whole number of at least 2, got 1"),
-    ({"elevation_deg": 0, "wavelength_nm": 380}, "wavelength_nm must"),
-    ({"elevation_deg": 0, "wavelength_nm": math.nan}, "wavelength_nm must"),
+    (
+        {"elevation_deg": 0, "wavelength_nm": 380},
+        "wavelength_nm must lie in the validity range 420 to 1620 nm of this medium, got 380",
+    ),
+    ({"elevation_deg": 0, "wavelength_nm": math.nan}, "wavelength_nm must be finite, got nan"),
     ({"elevation_deg": 0, "wavelength_nm": -550}, "wavelength_nm must"),
 ]
 
 TABLES = [
     ({"elevation_deg": []}, "elevation_deg must be a number or a list of numbers"),
+    ({"elevation_deg": [0, math.nan]}, "elevation_deg must be finite, got nan"),
+    ({"elevation_deg": 0, "azimuth_deg": [math.inf]}, "azimuth_deg must be finite, got inf"),
     ({"elevation_deg": [[0, 1]]}, "elevation_deg must be a number or a list of numbers"),
     ({"elevation_deg": 0, "method": "montecarlo"}, "did you mean 'monte_carlo'?"),
     ({"elevation_deg": 0, "rays": 1}, "rays must be a whole number of at least 2, got 1"),

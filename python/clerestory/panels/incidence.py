@@ -16,9 +16,21 @@ Floats = NDArray[np.float64]
 SIDES = ("front", "back")
 
 
+def finite(name: str, value: ArrayLike) -> Floats:
+    """``value`` as an array of finite numbers: None, text and truth values are none."""
+    if value is None or np.asarray(value).dtype == np.bool_:
+        raise ClerestoryError(f"{name} must be a number or a list of numbers, got {value!r}; give numbers")
+    array = numbers(name, value)
+    if not np.isfinite(array).all():
+        raise ClerestoryError(
+            f"{name} must be finite, got {array[~np.isfinite(array)].flat[0]}; replace or leave it out"
+        )
+    return array
+
+
 def angles(name: str, value: ArrayLike) -> Floats:
     """``value`` as a list of angles between -90 and 90 degrees, shape (k,), in the order given."""
-    array = np.atleast_1d(numbers(name, [*value] if isinstance(value, range) else value))
+    array = np.atleast_1d(finite(name, value))
     if array.ndim != 1 or array.size == 0:
         raise ClerestoryError(f"{name} must be a number or a list of numbers, got shape {array.shape}; flatten it")
     wrong = ~((array > -90.0) & (array < 90.0))

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from clerestory.array_rules import numbers
 from clerestory.errors import ClerestoryError
 from clerestory.medium import Medium
+from clerestory.panels.incidence import finite
 from clerestory.spectrum import photopic_quadrature
 
 Floats = NDArray[np.float64]
@@ -67,12 +67,9 @@ def asked_wavelengths(wavelength_nm: ArrayLike | None) -> Floats | None:
     """``wavelength_nm`` of a question as an array of no or one dimension; None stays None."""
     if wavelength_nm is None:
         return None
-    array = numbers("wavelength_nm", wavelength_nm)
+    array = finite("wavelength_nm", wavelength_nm)
     if array.ndim > 1 or array.size == 0:
         raise ClerestoryError(f"wavelength_nm must be a number or a list of numbers, got shape {array.shape}")
-    if not np.all(np.isfinite(array) & (array > 0.0)):
-        wrong = array[~(np.isfinite(array) & (array > 0.0))]
-        raise ClerestoryError(
-            f"wavelength_nm must be finite and greater than 0, got {wrong.flat[0]:g}; give nanometres"
-        )
+    if not np.all(array > 0.0):
+        raise ClerestoryError(f"wavelength_nm must be greater than 0, got {array.min():g}; give nanometres")
     return array
