@@ -164,3 +164,26 @@ def test_a_word_that_is_neither_kind_nor_file_is_told_the_nearest():
     result = run("panel", "prismatik")
     assert result.exit_code == 2
     assert "did you mean 'prismatic'?" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["panel", "pane", "--thickness-mm", "thick"], "--thickness-mm"),
+        (["panel", "pane"], "--thickness-mm"),
+        (["panel", "pane", "--thickness-mm", "3", "--colour", "red"], "--colour"),
+        (["panel", "pane", "--thickness-mm", "3", "--side", "left"], "--side"),
+        (["pannel"], "pannel"),
+    ],
+)
+def test_words_that_are_no_command_are_one_line_too(words, said):
+    result = run(*words)
+    assert result.exit_code == 2
+    assert said in result.stderr
+    assert "--help" in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
+def test_without_words_there_is_help():
+    for words in ([], ["panel"], ["--help"], ["panel", "pane", "--help"]):
+        assert "Usage" in run(*words).output

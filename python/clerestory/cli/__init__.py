@@ -3,9 +3,11 @@
 import typer
 
 from clerestory.cli.doctor import doctor
+from clerestory.cli.one_line import OneLineGroup
 from clerestory.cli.panel import panel
 
 app = typer.Typer(
+    cls=OneLineGroup,
     name="clerestory",
     help="Design, characterise and simulate windows that redirect light.",
     no_args_is_help=True,
