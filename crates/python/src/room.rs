@@ -291,7 +291,7 @@ fn centre_coefficients<'py>(
 
 /// Illuminance by each sun over the sun's normal illuminance, (sensor, sun); `sun_directions` point to the sun.
 #[pyfunction]
-#[pyo3(signature = (scene, points, normals, sun_directions, *, seed=0, rounds=8, nodes=512, disc_samples=4, max_bounces=None,
+#[pyo3(signature = (scene, points, normals, sun_directions, *, seed=0, rounds=8, nodes=1024, disc_samples=1, max_bounces=None,
     threads=None, progress=None))]
 #[allow(clippy::too_many_arguments)]
 fn sun_coefficients<'py>(

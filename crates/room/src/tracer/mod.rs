@@ -88,6 +88,14 @@ impl Tracer {
         }
     }
 
+    /// Whether a ray meets this facet, whatever else it may meet.
+    #[inline]
+    pub fn meets(&self, ray: &Ray, facet: u32) -> bool {
+        let shape = &self.facets[facet as usize];
+        let t = -shape.height(ray.origin) / shape.normal.dot(ray.direction);
+        facet != ray.leaving && t > self.least && t.is_finite() && shape.holds(ray.origin + t * ray.direction)
+    }
+
     /// A point, made ready for many line-of-sight tests.
     #[inline]
     pub fn place(&self, position: Vec3) -> Place {

@@ -188,6 +188,9 @@ struct Plan {
     own: Vec<Own>,
 }
 
+/// Directions a sensor draws where only they explore, under suns: one for as many nodes.
+const SUNS_NODES_PER_DIRECTION: usize = 8;
+
 /// A sensor's own directions, where nodes do as well: one for as many nodes …
 const NODES_PER_DIRECTION: usize = 256;
 
@@ -200,12 +203,11 @@ impl Plan {
         let shared = settings.nodes.div_ceil(NODES_PER_SHARED_DIRECTION * sensors.len());
         let least = settings.nodes.div_ceil(NODES_PER_DIRECTION).max(shared) as u32;
         // half of the patches lie behind; about as many of these directions as window points then find a window
-        let (window_points, patch_directions) = match walker.light {
-            Light::Sky(basis) => {
-                let samples = settings.window_samples;
-                (samples as u32, (2 * samples).div_ceil(basis.patches()) as u32)
-            }
-            Light::Suns(_) => (0, 0),
+        let samples = settings.window_samples;
+        let (window_points, patch_directions, exploring) = match walker.light {
+            Light::Sky(basis) => (samples as u32, (2 * samples).div_ceil(basis.patches()) as u32, samples),
+            // every reflection costs a look at all suns: go by the nodes
+            Light::Suns(_) => (0, 0, settings.nodes / SUNS_NODES_PER_DIRECTION),
         };
         let own = pilot
             .alone
@@ -213,7 +215,7 @@ impl Plan {
             .map(|alone| Own {
                 window_points,
                 patch_directions,
-                directions: least.max((alone * settings.window_samples as f64).ceil() as u32),
+                directions: least.max((alone * exploring as f64).ceil() as u32),
             })
             .collect();
         Self { density: NodeDensity::new(walker.scene, settings.nodes, &pilot.weight), own }

@@ -49,7 +49,7 @@ pub fn sun_coefficients(
     settings.check()?;
     if !(1..=4096).contains(&disc_samples) {
         let (rule, value) = ("in 1..4096", disc_samples.to_string());
-        return Err(RoomError::Setting { name: "disc_samples", rule, value, way_out: "4 do; rounds multiply them" });
+        return Err(RoomError::Setting { name: "disc_samples", rule, value, way_out: "1 does; rounds multiply them" });
     }
     let directions = towards
         .iter()

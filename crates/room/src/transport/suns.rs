@@ -41,6 +41,8 @@ struct Beam {
     facet: u32,
     /// Where it travels.
     direction: Vec3,
+    /// How far it has come for each metre off the window's plane.
+    way_per_height: f64,
     /// Illuminance across it over the sun's normal illuminance: p cos θ_i / cos θ_k.
     strength: f64,
     redirected: bool,
@@ -78,6 +80,8 @@ impl Suns {
     /// The sun's light on a vertex, for every sun. A sensor takes all points of the disc, a reflection one, by chance.
     pub fn shine_on(&self, walker: &Walker<'_>, vertex: &Vertex, beta: f64, bounces: u32, path: &mut Path<'_>) {
         let chosen = (path.numbers.rng.uniform() * self.per_sun as f64) as usize;
+        // what hid one sun mostly hides the next
+        let mut hiding = None;
         for (sun, points) in self.points.chunks_exact(self.per_sun).enumerate() {
             let points = if bounces == 0 { points } else { &points[chosen..=chosen] };
             // beta counts the mean radiance, E/π
@@ -87,8 +91,11 @@ impl Suns {
             for point in points.iter().filter(|point| point.towards.z > 0.0) {
                 let cos = point.towards.dot(vertex.normal);
                 let open = Ray { origin: vertex.place.position, direction: point.towards, leaving: vertex.facet };
-                if cos > 0.0 && walker.scene.tracer.closest(&open).is_none() {
-                    seen[0] += cos;
+                if cos > 0.0 && !hiding.is_some_and(|facet| walker.scene.tracer.meets(&open, facet)) {
+                    hiding = walker.scene.tracer.closest(&open).map(|hit| hit.facet);
+                    if hiding.is_none() {
+                        seen[0] += cos;
+                    }
                 }
                 for beam in &self.beams[point.beams.start as usize..point.beams.end as usize] {
                     seen[usize::from(beam.redirected)] += beam.seen_from(walker.scene, vertex, point.towards);
@@ -112,7 +119,7 @@ impl Beam {
         }
         let shape = scene.facet(self.facet);
         let from = vertex.place.position;
-        let back = shape.height(from) / shape.normal.dot(self.direction);
+        let back = shape.height(from) * self.way_per_height;
         let point = from - back * self.direction;
         if back <= 0.0 || !shape.holds(point) {
             return 0.0;
@@ -144,6 +151,7 @@ fn beams_of(scene: &Scene, towards: Vec3) -> Result<Vec<Beam>, RoomError> {
         beams.extend(lobes.beams.iter().filter(|lobe| lobe.direction.z > 0.0 && lobe.power > 0.0).map(|lobe| Beam {
             facet: surface.facets.start,
             direction: frame.outward(*lobe.direction),
+            way_per_height: 1.0 / lobe.direction.z,
             strength: lobe.power * incident.z / lobe.direction.z,
             redirected: lobe.total_reflections > 0,
         }));
