@@ -115,6 +115,9 @@ pub enum OpticsError {
         /// The most that is possible.
         greatest: f64,
     },
+    /// A stack of nothing.
+    #[error("layers must be one or more, got none; give the outermost first")]
+    NoLayers,
     /// A pane without body.
     #[error("thickness_mm must be finite and greater than 0, got {value}; give the pane's thickness in mm")]
     NotAThickness {

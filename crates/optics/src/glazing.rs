@@ -1,8 +1,10 @@
 //! What a flat element of a window does to light: the only thing a room knows of a window.
 
 mod clear;
+mod stack;
 
 pub use clear::ClearGlazing;
+pub use stack::Stack;
 
 use hemisphere::{Direction, Vec3};
 

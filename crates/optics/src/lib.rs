@@ -11,7 +11,7 @@ mod medium;
 mod stokes;
 
 pub use error::OpticsError;
-pub use glazing::{ClearGlazing, Glazing, Lobe, Lobes, Scattered, Side, Straight};
+pub use glazing::{ClearGlazing, Glazing, Lobe, Lobes, Scattered, Side, Stack, Straight};
 pub use interface::{Interface, Split, mirror, refract};
 pub use medium::{Absorption, Dispersion, Law, Medium, Table, medium_names};
 pub use stokes::{Mueller, Stokes, reference_axes};

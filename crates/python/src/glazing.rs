@@ -3,7 +3,7 @@
 use crate::arrays::directions;
 use crate::errors::{self, mistake};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray2, ndarray::Array2};
-use optics::{ClearGlazing, Glazing, Lobes};
+use optics::{ClearGlazing, Glazing, Lobes, Stack};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -45,6 +45,13 @@ impl PyGlazing {
     #[staticmethod]
     fn slab(n: f64, thickness_mm: f64, absorption_per_mm: f64) -> PyResult<Self> {
         clear(ClearGlazing::slab(n, thickness_mm, absorption_per_mm))
+    }
+
+    /// Layers with air between, the outermost first.
+    #[staticmethod]
+    fn stack(layers: Vec<PyRef<'_, PyGlazing>>) -> PyResult<Self> {
+        let layers = layers.iter().map(|layer| layer.0.clone()).collect();
+        Stack::new(layers).map(|stack| Self(Arc::new(stack))).map_err(errors::optics)
     }
 
     /// Directions (lobe, 3), powers and total reflections (lobe,), absorbed and residual, of light from one direction in the
