@@ -119,6 +119,7 @@ def test_errors_may_be_judged_under_another_sky():
     ("values", "message"),
     [
         ({"basis": "reinhart578"}, "basis"),
+        ({"sampling": "corner"}, r"sampling must be one of patch, centre, got 'corner'"),
         ({"rounds": 1}, r"rounds must be a whole number of at least 2, got 1"),
         ({"seed": -1}, r"seed must be a whole number of at least 0, got -1"),
         ({"max_bounces": 1.5}, r"max_bounces must be a whole number of at least 0, got 1.5"),
@@ -143,3 +144,19 @@ def test_crossing_bent_and_flat_polygons_are_named(outline, message):
     room = Room(surfaces=(Surface(name="bent tie", outline_m=outline, material=Material(diffuse_reflectance=0.5)),))
     with pytest.raises(ClerestoryError, match=message):
         _ = room.scene
+
+
+def test_one_ray_a_sector_is_near_the_whole_sector():
+    """As published: for a plain opening the two ways differ only where an edge cuts a sector."""
+    whole, centres = (
+        daylight_coefficients(ROOM, basis="troplux5221", rounds=16, sampling=way) for way in ("patch", "centre")
+    )
+    assert float(centres.direct_standard_error.max()) == 0.0
+    np.testing.assert_allclose(centres.direct.sum("patch"), whole.direct.sum("patch"), rtol=0.1)
+    assert float(centres.direct.sum()) == pytest.approx(float(whole.direct.sum()), rel=0.02)
+
+
+def test_target_out_of_reach_is_given_up_and_told():
+    coefficients = daylight_coefficients(ROOM, basis="tregenza145", target_relative_error=1e-6, max_rounds=10)
+    assert coefficients.attrs["converged"] == 0
+    assert coefficients.attrs["rounds"] == 10

@@ -16,7 +16,7 @@ from clerestory.provenance import provenance
 from clerestory.room.scene import Room
 from clerestory.room.sensors import SensorGrid, Sensors
 from clerestory.room.whereabouts import misplaced_sensors
-from clerestory.rules import positive
+from clerestory.rules import one_of, positive
 from clerestory.sky.basis import patch_coordinates, sky_basis
 from clerestory.sky.cie_sky import CieSky
 
@@ -42,6 +42,7 @@ def daylight_coefficients(
     sensors: SensorGrid | Sensors | Iterable[SensorGrid | Sensors] | None = None,
     *,
     basis: str = "reinhart577",
+    sampling: str = "patch",
     sky: CieSky | None = None,
     target_relative_error: float | None = None,
     rounds: int = 16,
@@ -60,6 +61,9 @@ def daylight_coefficients(
         Default the room's own.
     basis : str, default "reinhart577"
         ``"tregenza145"``, ``"reinhart577"``, ``"reinhart2305"`` …, ``"troplux5221"``.
+    sampling : "patch" or "centre", default "patch"
+        ``"centre"`` casts one ray at each sector's centre and finds the sector that it really reaches, as the published
+        method of TropLux does; its direct and redirected parts have no standard error.
     sky : CieSky, optional
         The sky under which errors are judged; default the traditional overcast one, so that they are those of the
         daylight factor.
@@ -101,6 +105,7 @@ def daylight_coefficients(
     :math:`E_s = \sum_p C_{sp} L_p` (theory/illuminance.md, eqs. 1-3); P. R. Tregenza, I. M. Waters, Lighting Research &
     Technology 15(2), 1983.
     """
+    one_of("sampling", sampling, ("patch", "centre"))
     if target_relative_error is not None:
         positive("target_relative_error", target_relative_error)
     for name, value, least in (("rounds", rounds, 2), ("max_rounds", max_rounds, 2), ("seed", seed, 0)):
@@ -131,10 +136,13 @@ def daylight_coefficients(
         progress=progress,
     )
     variables: dict[str, Any] = {}
+    published = _native.centre_coefficients(room.scene, points, normals, patches) if sampling == "centre" else {}
     for part in PARTS:
         about = {"units": "sr", "long_name": f"daylight coefficient, {_LONG_NAMES[part]}"}
-        error = traced[f"{part}_standard_error"]
-        variables[part] = (("sensor", "patch"), traced[part], about)
+        exact = published.get(part)
+        values = traced[part] if exact is None else exact
+        error = traced[f"{part}_standard_error"] if exact is None else np.zeros_like(exact)
+        variables[part] = (("sensor", "patch"), values, about)
         variables[f"{part}_standard_error"] = (
             ("sensor", "patch"),
             error,
@@ -143,7 +151,7 @@ def daylight_coefficients(
     if traced["lost"] is not None:
         about = {"units": "sr", "long_name": "light beyond max_bounces"}
         variables["lost"] = (("sensor", "patch"), traced["lost"], about)
-    weighted = traced["weighted"]
+    weighted = traced["weighted"] if not published else sum(variables[part][1] for part in PARTS) @ luminance
     variables["sky_luminance"] = ("patch", luminance, {"units": "1", "long_name": "sky that errors are judged under"})
     variables["sky_illuminance"] = (
         "sensor",
@@ -157,6 +165,7 @@ def daylight_coefficients(
         attrs=provenance(
             room=room.name,
             basis=basis,
+            sampling=sampling,
             ground_reflectance=room.ground_reflectance,
             judged_sky=judged.description,
             target_relative_error=target_relative_error,

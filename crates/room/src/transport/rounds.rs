@@ -178,7 +178,7 @@ impl Settings {
             return rounds;
         }
         let more = (rounds as f64 * (worst / target).powi(2)).ceil();
-        (more as usize).clamp(rounds + 1, self.max_rounds.max(rounds))
+        (more as usize).max(rounds + 1).min(self.max_rounds.max(rounds))
     }
 }
 
