@@ -5,6 +5,7 @@ import typer
 from clerestory.cli.doctor import doctor
 from clerestory.cli.one_line import OneLineGroup
 from clerestory.cli.panel import panel
+from clerestory.cli.room import room
 
 app = typer.Typer(
     cls=OneLineGroup,
@@ -17,6 +18,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.add_typer(panel, name="panel")
+app.command("room")(room)
 app.command("doctor")(doctor)
 
 __all__ = ["app"]

@@ -13,6 +13,8 @@ from clerestory.plots.room_plan import grid_frame, quantity
 from clerestory.plots.style import FAINT, blank, line_style, note, styled
 from clerestory.room.scene import Room
 
+WIDE = 50.0
+
 
 def room_section(
     curves: Mapping[str, xr.DataArray],
@@ -39,6 +41,7 @@ def room_section(
     Returns
     -------
     Figure
+        The scale is logarithmic where the values span over 50 to 1.
 
     Raises
     ------
@@ -70,7 +73,12 @@ def room_section(
             axes.annotate(
                 f"{threshold:g} {units}", (1.0, threshold), xycoords=("axes fraction", "data"), ha="right", va="bottom"
             )
-        axes.set_ylim(bottom=0.0)
+        least, most = (float(f([f(values) for values in curves.values()])) for f in (np.min, np.max))
+        if least > 0.0 and most / least > WIDE:
+            axes.set_yscale("log")
+            axes.yaxis.set_major_formatter(lambda value, _: f"{value:,g}")
+        else:
+            axes.set_ylim(bottom=0.0)
         axes.set_xlim(left=0.0)
         axes.set(xlabel="Distance into the room [m]", ylabel=f"{long_name} [{units}]")
         axes.legend(title=None)
