@@ -73,8 +73,8 @@ def room_section(
             axes.annotate(
                 f"{threshold:g} {units}", (1.0, threshold), xycoords=("axes fraction", "data"), ha="right", va="bottom"
             )
-        least, most = (float(f([f(values) for values in curves.values()])) for f in (np.min, np.max))
-        if least > 0.0 and most / least > WIDE:
+        lowest, highest = (float(f([f(values) for values in curves.values()])) for f in (np.min, np.max))
+        if lowest > 0.0 and highest / lowest > WIDE:
             axes.set_yscale("log")
             axes.yaxis.set_major_formatter(lambda value, _: f"{value:,g}")
         else:
