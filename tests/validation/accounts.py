@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 
 from clerestory.panels import Panel
@@ -12,6 +13,8 @@ from clerestory.panels import Panel
 NAMES = ("transmitted", "reflected", "absorbed", "transmitted upwards", "transmitted downwards")
 #: Of sums of some thousand terms of at most 1 in double precision.
 ROUNDING = 1e-13
+#: Rays by which the solver finishes what its budget left.
+WALKED_RAYS = 4096
 
 
 @dataclass(frozen=True)
@@ -29,7 +32,13 @@ def accounts(panel: Panel, incidence: dict[str, object], **how: object) -> Accou
     up = lobes.elevation_deg.values > 0.0
     sums = [power[through].sum(), power[~through].sum(), lobes.attrs["absorbed"]]
     sums += [power[through & up].sum(), power[through & ~up].sum()]
-    return Accounts(np.array(sums), lobes.attrs["residual"] + lobes.attrs["displaced"])
+    return Accounts(np.array(sums), unknown(lobes))
+
+
+def unknown(lobes: xr.Dataset) -> float:
+    """Residual, displaced power, and four standard errors of what a walk finished: of independent rays, at most."""
+    walked = 4.0 * 0.5 * lobes.attrs["walked"] / np.sqrt(WALKED_RAYS)
+    return float(lobes.attrs["residual"] + lobes.attrs["displaced"] + walked)
 
 
 def disagreement(first: Accounts, second: Accounts) -> float:

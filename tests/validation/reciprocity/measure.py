@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from tests.validation.accounts import ROUNDING
+from tests.validation.accounts import ROUNDING, unknown
 from tests.validation.claim import Claim, Measured
 from tests.validation.random_panels import random_incidence, random_panel
 
@@ -39,10 +39,6 @@ def _raised(vector, step):
 
 def _lobes(panel, vector, **how):
     return panel.lobes(**_incidence(vector), **how)
-
-
-def _unknown(lobes):
-    return lobes.attrs["residual"] + lobes.attrs["displaced"] + ROUNDING
 
 
 def _widening(panel, vector, lobe, how):
@@ -84,8 +80,8 @@ def _pairs(panel, vector, polarisation):
         sent_back = _lobes(panel, -lobe, **how)
         away = np.linalg.norm(sent_back.direction.values + vector, axis=1)
         back = factor * float(sent_back.power.values[away < 1e-6].sum())
-        unknown = _unknown(lobes) + factor * _unknown(sent_back) + (0.0 if keeps_width else 1e-7)
-        yield Pair(float(power), back, unknown, is_ideal, keeps_width)
+        not_known = unknown(lobes) + factor * unknown(sent_back) + ROUNDING + (0.0 if keeps_width else 1e-7)
+        yield Pair(float(power), back, not_known, is_ideal, keeps_width)
 
 
 def claim(thorough: bool) -> Claim:
