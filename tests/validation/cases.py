@@ -24,6 +24,13 @@ CASES = (
     "deflected_fraction",
     "published_diagrams",
     "beam_picture",
+    "unobstructed_sensor",
+    "sky_component",
+    "cie171_openings",
+    "cie171_glazed",
+    "external_mask",
+    "sun_through_pane",
+    "panel_lights_ceiling",
 )
 
 
