@@ -39,7 +39,7 @@ impl Glazing for Panel {
         }
         let (walk, weight) = &self.walks()[chosen];
         let mut draw = Draw::given([(left / weight).clamp(0.0, 1.0 - f64::EPSILON), u[1], u[2]]);
-        match walk.run(incident.vector(), &mut draw) {
+        match walk.run(incident, &mut draw) {
             End::Leaves { direction, total_reflections, weight } if draw.uniform() < weight => {
                 Scattered::Leaves { direction: Direction::from_unit(direction.normalize()), total_reflections }
             }

@@ -142,6 +142,10 @@ impl Panel {
             return Err(PanelError::RoughCut);
         }
         let mut outcome = Outcome::default();
+        if let Some(mirrored) = skimming(incident) {
+            outcome.add(mirrored.vector(), [1.0, 0.0, 0.0, 0.0], 0);
+            return Ok(outcome);
+        }
         let in_plane = incident.x.abs() < 1e-15;
         for i in 0..self.spectrum.len() {
             match (self.polarisation, in_plane) {
@@ -202,6 +206,16 @@ impl Outcome {
         }
     }
 }
+
+/// Light that runs along the sheet to rounding meets no facet: all of it is mirrored, the limit of grazing incidence.
+/// The direction it takes, or nothing for any other light.
+pub(crate) fn skimming(incident: Direction) -> Option<Direction> {
+    let v = incident.vector();
+    (v.z.abs() < LEAST_COMPONENT).then(|| Direction::from_unit(Vec3::new(v.x, v.y, -v.z)))
+}
+
+/// Least component across the sheet that is followed: 6·10⁻⁸ degrees from it.
+const LEAST_COMPONENT: f64 = 1e-9;
 
 /// Square of the angle below which two directions are one.
 const SAME_DIRECTION: f64 = 1e-18;

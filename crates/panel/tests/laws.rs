@@ -190,6 +190,18 @@ fn rough_cuts_lose_nothing() {
     assert!(panel.outcome(incident, &mut Workspace::default()).is_err());
 }
 
+/// Light that runs exactly along the sheet is mirrored, whichever way it runs.
+#[test]
+fn light_along_the_sheet_is_mirrored() {
+    let profile = LaserCut { cut_width: 0.05, ..LaserCut::ideal(0.5, 1.0) }.profile().expect("valid");
+    let panel = panel(profile, 1.49, 0.1, Polarisation::Resolved, 1e-6);
+    for incident in [Vec3::X, -Vec3::Y, Vec3::new(0.6, 0.8, 0.0)] {
+        let shares = panel.shares(Direction::from_unit(incident), &mut Workspace::default()).expect("smooth");
+        assert_eq!(sum(&shares), 1.0);
+        assert_eq!(shares.absorptance, 0.0);
+    }
+}
+
 /// The result does not depend on the number of threads.
 #[test]
 fn threads_change_nothing() {

@@ -23,7 +23,7 @@ TOLERANCE = 1e-6
 #: Straight facets by which the exact solver draws an arc.
 ARC_CHORDS = 32
 #: Pieces of light followed for one direction at most; what is left is reported as residual.
-MOST_PIECES = 2_000_000
+MOST_PIECES = 1_000_000
 
 
 def whole(name: str, value: Any, least: int) -> int:

@@ -163,14 +163,14 @@ def _frame(axes: Axes, profile: Profile, across: tuple[float, float], up: tuple[
         artist.set_clip_path(clip)
     arrow = {"arrowstyle": "<|-|>", "color": INK, "linewidth": 0.8, "shrinkA": 0.0, "shrinkB": 0.0, "mutation_scale": 7}
     axes.annotate("", (front, foot), (back, foot), arrowprops=arrow)
-    axes.text(0.5 * (front + back), foot - 0.015 * size, f"{back - front:g} mm", ha="center", va="top", fontsize=9)
+    axes.text(0.5 * (front + back), foot - 0.015 * size, f"{back - front:.3g} mm", ha="center", va="top", fontsize=9)
     beside = back + 0.05 * size
     base = profile.pitch_mm * np.ceil(low / profile.pitch_mm)
     axes.annotate("", (beside, base), (beside, base + profile.pitch_mm), arrowprops=arrow)
     axes.text(
         beside + 0.02 * size,
         base + 0.5 * profile.pitch_mm,
-        f"{profile.pitch_mm:g} mm",
+        f"{profile.pitch_mm:.3g} mm",
         va="center",
         fontsize=9,
         bbox=_PLATE,

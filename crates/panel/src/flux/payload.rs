@@ -31,7 +31,7 @@ pub trait Payload: Copy + std::fmt::Debug + Send {
     fn after(self, action: &Self::Action) -> Self;
     /// What `split` does to light along `arriving` that is mirrored along `mirrored` or goes on along `through`;
     /// `s` is the axis across the plane of incidence, `is_film` a gap of no width.
-    fn actions(split: Split, is_film: bool, turns: &Turns) -> Actions<Self::Action>;
+    fn actions(split: Split, is_film: bool, turns: impl FnOnce() -> Turns) -> Actions<Self::Action>;
     /// As a Stokes vector about the reference axes of its direction.
     fn stokes(self) -> Stokes;
 }
@@ -80,7 +80,7 @@ impl Payload for f64 {
         self * action
     }
 
-    fn actions(split: Split, is_film: bool, _: &Turns) -> Actions<f64> {
+    fn actions(split: Split, is_film: bool, _: impl FnOnce() -> Turns) -> Actions<f64> {
         let reflected = match split {
             Split::Total { .. } => 1.0,
             Split::Partial { amplitude_s: s, amplitude_p: p, .. } => {
@@ -123,7 +123,7 @@ impl Payload for [f64; 2] {
         [self[0] * action[0], self[1] * action[1]]
     }
 
-    fn actions(split: Split, is_film: bool, _: &Turns) -> Actions<[f64; 2]> {
+    fn actions(split: Split, is_film: bool, _: impl FnOnce() -> Turns) -> Actions<[f64; 2]> {
         let reflected = match split {
             Split::Total { .. } => [1.0; 2],
             Split::Partial { amplitude_s: s, amplitude_p: p, .. } => {
@@ -165,7 +165,8 @@ impl Payload for Stokes {
         action.apply(self)
     }
 
-    fn actions(split: Split, is_film: bool, turns: &Turns) -> Actions<Mueller> {
+    fn actions(split: Split, is_film: bool, turns: impl FnOnce() -> Turns) -> Actions<Mueller> {
+        let turns = turns();
         let (reflected, transmitted) = if is_film {
             (Mueller::reflected_by_film(split), Mueller::transmitted_by_film(split))
         } else {

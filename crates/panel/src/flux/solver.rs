@@ -276,8 +276,7 @@ impl<P: Payload> Solver<P> {
                 self.directions.refract(direction, tangent, normal, medium, media.get(medium).n)
             }
         };
-        let turns = self.turns(arriving, normal, mirrored, through);
-        let actions = P::actions(split, film, &turns);
+        let actions = P::actions(split, film, || self.turns(arriving, normal, mirrored, through));
         let is_total = matches!(split, Split::Total { .. });
         let mirrored = Exit {
             channel: self.channel(profile, media, at, mirrored),

@@ -30,7 +30,7 @@ pub fn estimate_shares(walks: &[(Walk, f64)], incident: Direction, rays: u64, se
         for index in 0..each as u32 {
             // each wavelength in its turn, for its share of the rays
             let walk = pick(walks, (f64::from(index) + offset) / each as f64);
-            count(&mut sum, incident, walk.run(incident.vector(), &mut Draw::spread(&sobol, index)));
+            count(&mut sum, incident, walk.run(incident, &mut Draw::spread(&sobol, index)));
         }
         sum.scaled(1.0 / each as f64)
     };

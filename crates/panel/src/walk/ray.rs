@@ -8,7 +8,7 @@ use crate::{
     facet::{Facet, Finish, MediumId, Surface},
     flux::film_reflectance,
     media::{Media, Optical},
-    panel::Polarisation,
+    panel::{Polarisation, skimming},
     plane::Vec2,
     profile::Profile,
     topology::HalfEdge,
@@ -85,8 +85,12 @@ impl Walk {
         }
     }
 
-    /// Follows unpolarised light that arrives along `incident` (z ≠ 0).
-    pub fn run(&self, incident: Vec3, draw: &mut Draw) -> End {
+    /// Follows unpolarised light that arrives along `incident`.
+    pub fn run(&self, incident: Direction, draw: &mut Draw) -> End {
+        if let Some(mirrored) = skimming(incident) {
+            return End::Leaves { direction: mirrored.vector(), total_reflections: 0, weight: 1.0 };
+        }
+        let incident = incident.vector();
         let ray = Ray {
             v: incident,
             s: reference_axes(incident).0,
