@@ -29,6 +29,7 @@ CASES = (
     "cie171_openings",
     "cie171_glazed",
     "external_mask",
+    "radiance_room",
     "sun_through_pane",
     "panel_lights_ceiling",
 )

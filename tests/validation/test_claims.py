@@ -8,6 +8,8 @@ from tests.validation.cases import CASES, FOLDER, claim
 
 @pytest.mark.parametrize("case", CASES)
 def test_claim_stands(case):
+    if case == "radiance_room":
+        pytest.importorskip("pyradiance", reason="the other program")
     found = claim(case, thorough=False)
     failed = [measured.row for measured in found.measured if not measured.holds]
     assert found.measured
