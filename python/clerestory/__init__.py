@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from clerestory.compare import Comparison, compare
     from clerestory.drawing.line import Face, Outline
     from clerestory.errors import ClerestoryError
-    from clerestory.glazing import Glass, Open, PlainTransmittance, Slab, TregenzaSharples
-    from clerestory.illuminance import average_by_group, daylight_factor, illuminance, uniformity
+    from clerestory.glazing import Glass, Open, PlainTransmittance, Slab, Stack, TregenzaSharples
+    from clerestory.illuminance import average_by_group, daylight_factor, illuminance, sun_illuminance, uniformity
     from clerestory.measured import read_measured
     from clerestory.measured_glass import MeasuredGlass, measured_glass, medium_of_pane
     from clerestory.medium import Medium, medium_names
@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from clerestory.site import Site
     from clerestory.sky import CieSky, sky_basis
     from clerestory.sun import sun_position
+    from clerestory.sun_coefficients import sun_coefficients
     from clerestory.sunlight import direct_normal_illuminance_lx
 
 __all__ = [
@@ -81,6 +82,7 @@ __all__ = [
     "Sensors",
     "Site",
     "Slab",
+    "Stack",
     "Surface",
     "TregenzaSharples",
     "Window",
@@ -103,6 +105,8 @@ __all__ = [
     "read_room",
     "save",
     "sky_basis",
+    "sun_coefficients",
+    "sun_illuminance",
     "sun_position",
     "uniformity",
     "write_room",
@@ -121,10 +125,12 @@ _PLACES = {
     "Open": "clerestory.glazing",
     "PlainTransmittance": "clerestory.glazing",
     "Slab": "clerestory.glazing",
+    "Stack": "clerestory.glazing",
     "TregenzaSharples": "clerestory.glazing",
     "average_by_group": "clerestory.illuminance",
     "daylight_factor": "clerestory.illuminance",
     "illuminance": "clerestory.illuminance",
+    "sun_illuminance": "clerestory.illuminance",
     "uniformity": "clerestory.illuminance",
     "read_measured": "clerestory.measured",
     "MeasuredGlass": "clerestory.measured_glass",
@@ -167,6 +173,7 @@ _PLACES = {
     "CieSky": "clerestory.sky",
     "sky_basis": "clerestory.sky",
     "sun_position": "clerestory.sun",
+    "sun_coefficients": "clerestory.sun_coefficients",
     "direct_normal_illuminance_lx": "clerestory.sunlight",
 }
 

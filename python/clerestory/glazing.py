@@ -102,6 +102,31 @@ class Slab:
         return _native.Glazing.slab(self.refractive_index, self.thickness_mm, self.absorption_per_mm)
 
 
+@dataclass(frozen=True)
+class Stack:
+    """Layers with air between them, such as a panel in a double window.
+
+    Parameters
+    ----------
+    layers : sequence of Glazing
+        From the outside to the room; light is followed back and forth between them.
+    """
+
+    layers: tuple[Glazing, ...]
+
+    def __post_init__(self) -> None:
+        layers = tuple(self.layers)
+        if not layers:
+            raise ClerestoryError("layers must hold at least one glazing, got none")
+        for index, layer in enumerate(layers):
+            check_glazing(f"layers[{index}]", layer)
+        object.__setattr__(self, "layers", layers)
+
+    def glazing(self) -> _native.Glazing:
+        """The compiled half."""
+        return _native.Glazing.stack([layer.glazing() for layer in self.layers])
+
+
 def check_glazing(name: str, value: object) -> Glazing:
     """The value, if it can fill a window."""
     if not isinstance(value, Glazing) or isinstance(value, type):

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from clerestory.errors import ClerestoryError
-from clerestory.glazing import Glass, Glazing, Open, PlainTransmittance, Slab, TregenzaSharples
+from clerestory.glazing import Glass, Glazing, Open, PlainTransmittance, Slab, Stack, TregenzaSharples
 from clerestory.panels.panel import Panel
 from clerestory.panels.writing import kinds as panel_kinds
 from clerestory.panels.writing import panel_from_dict, panel_to_dict, read_panel
@@ -22,6 +22,7 @@ KINDS: dict[str, type[Any]] = {
     "glass": Glass,
     "tregenza-sharples": TregenzaSharples,
     "slab": Slab,
+    "stack": Stack,
 }
 """The word after ``kind =`` and what it makes."""
 
@@ -56,7 +57,8 @@ def read_glazing(table: Table, named: Callable[[Any], Glazing], folder: Path) ->
     Parameters
     ----------
     table : Table
-        With ``kind`` and the parameters of that kind, or with the ``file`` of a panel.
+        With ``kind`` and the parameters of that kind, or with the ``file`` of a panel; ``layers`` of a stack
+        are names of other glazings.
     named : callable
         Name → glazing.
 
@@ -77,6 +79,12 @@ def read_glazing(table: Table, named: Callable[[Any], Glazing], folder: Path) ->
         except ClerestoryError as cause:
             raise ClerestoryError(f"{table.where}: {cause}") from cause
     kind = KINDS[word]
+    if kind is Stack:
+        layers = table.take("layers")
+        table.finish()
+        if not isinstance(layers, list):
+            raise ClerestoryError(f"layers of {table.where} must be a list of names of glazings, got {layers!r}")
+        return Stack(tuple(named(layer) for layer in layers))
     made: Glazing = build(kind, table)
     return made
 
@@ -108,5 +116,7 @@ def write_glazing(glazing: Glazing, name_of: Callable[[Glazing], str]) -> dict[s
     word = next((word for word, kind in KINDS.items() if type(glazing) is kind), None)
     if word is None:
         raise ClerestoryError(f"glazing must be one of {', '.join(KINDS)} to be written as TOML, got {glazing!r}")
+    if isinstance(glazing, Stack):
+        return {"kind": word, "layers": [name_of(layer) for layer in glazing.layers]}
     values = {parameter.name: getattr(glazing, parameter.name) for parameter in fields(glazing)}  # type: ignore[arg-type]
     return {"kind": word, **{name: value for name, value in values.items() if value is not None}}

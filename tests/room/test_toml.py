@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from clerestory.errors import ClerestoryError
-from clerestory.glazing import Glass, Open, Slab
+from clerestory.glazing import Glass, Open, Slab, Stack
 from clerestory.medium import Medium
 from clerestory.panels import LaserCutPanel
 from clerestory.room import (
@@ -183,3 +183,20 @@ def test_mistakes_in_a_panel_name_its_table(tmp_path):
     text = CLASSROOM.replace('kind = "slab"\nrefractive_index = 1.52', 'kind = "laser-cut"\nspacing_mm = -4.0')
     with pytest.raises(ClerestoryError, match=r"\[double\] in \[glazings\] of room.toml: spacing_mm"):
         read_room(written(tmp_path, text))
+
+
+def test_a_panel_stands_between_panes(tmp_path):
+    slab = 'kind = "slab"\nrefractive_index = 1.52\nthickness_mm = 6.0'
+    panel = '[glazings.panel]\nkind = "laser-cut"\nspacing_mm = 4.0\nthickness_mm = 6.0'
+    stacked = f'kind = "stack"\nlayers = ["glass", "panel"]\n{panel}'
+    room = read_room(written(tmp_path, CLASSROOM.replace(slab, stacked)))
+    layers = (Glass(transmittance=0.88), LaserCutPanel(spacing_mm=4.0, thickness_mm=6.0))
+    assert room.windows[0].glazing == Stack(layers)
+    assert read_room(written(tmp_path, room_to_toml(room))) == room
+    assert "window 1" in room.scene.surfaces
+
+
+@pytest.mark.parametrize("layers", [(), (0.88,)])
+def test_a_stack_of_nothing_is_an_error(layers):
+    with pytest.raises(ClerestoryError, match="layers"):
+        Stack(layers)
