@@ -43,7 +43,7 @@ struct Piece {
 }
 
 /// How far past its edge a facet still stops rays, in shares of its size, so that none slips between neighbours.
-const RIM: f64 = 1e-9;
+pub const RIM: f64 = 1e-9;
 
 impl Corner {
     /// `None` if the edges are parallel.
@@ -104,6 +104,14 @@ impl Facet {
                 s >= -RIM && t >= -RIM && s + t <= 1.0 + RIM
             }
             Shape::Polygon { outline, .. } => outline.holds(outline.flatten(p)),
+        }
+    }
+
+    /// For a triangle, the vectors and offsets that measure a point along its two edges, 0..1.
+    pub fn triangle_measures(&self) -> Option<[(Vec3, f64); 2]> {
+        match &self.shape {
+            Shape::Triangle(corner) => Some(corner.duals.map(|dual| (dual, dual.dot(corner.origin)))),
+            _ => None,
         }
     }
 

@@ -61,6 +61,16 @@ impl Few {
 
     #[inline]
     pub fn closest(&self, facets: &[Facet], ray: &Ray, least: f64) -> Option<Hit> {
+        match self.padded {
+            0..=8 => self.closest_of::<8>(facets, ray, least),
+            9..=16 => self.closest_of::<16>(facets, ray, least),
+            _ => self.closest_of::<MOST>(facets, ray, least),
+        }
+    }
+
+    /// The same with room for `N` distances, for clearing more than needed takes time too.
+    #[inline]
+    fn closest_of<const N: usize>(&self, facets: &[Facet], ray: &Ray, least: f64) -> Option<Hit> {
         let Ray { origin: o, direction: d, leaving } = *ray;
         let mut candidates = match self.reach.get(leaving as usize) {
             Some(sides) => sides[usize::from(d.dot(facets[leaving as usize].normal) > 0.0)],
@@ -69,7 +79,7 @@ impl Few {
         if candidates == 0 {
             return None;
         }
-        let mut distance = [0.0; MOST];
+        let mut distance = [0.0; N];
         for (turn, lanes) in distance[..self.padded].chunks_exact_mut(LANES).enumerate() {
             for (lane, t) in lanes.iter_mut().enumerate() {
                 let k = LANES * turn + lane;
@@ -78,19 +88,26 @@ impl Few {
                 *t = -height / speed;
             }
         }
-        let mut best: Option<Hit> = None;
-        let mut nearest = f64::INFINITY;
-        while candidates != 0 {
-            let k = candidates.trailing_zeros() as usize;
-            candidates &= candidates - 1;
-            let t = distance[k];
-            // a ray along a plane has no finite distance and fails both tests
-            if t > least && t < nearest && facets[k].holds(o + t * d) {
-                nearest = t;
-                best = Some(Hit { distance: t, facet: k as u32 });
+        // in a convex room the nearest plane ahead is the one that is met
+        loop {
+            let (mut nearest, mut facet) = (f64::INFINITY, MOST);
+            let mut rest = candidates;
+            while rest != 0 {
+                let k = rest.trailing_zeros() as usize;
+                rest &= rest - 1;
+                // a ray along a plane has no finite distance and fails both tests
+                if distance[k] > least && distance[k] < nearest {
+                    (nearest, facet) = (distance[k], k);
+                }
             }
+            if facet == MOST {
+                return None;
+            }
+            if facets[facet].holds(o + nearest * d) {
+                return Some(Hit { distance: nearest, facet: facet as u32 });
+            }
+            candidates &= !(1 << facet);
         }
-        best
     }
 
     #[inline]

@@ -3,7 +3,7 @@
 //! Boxes are single precision, widened by their rounding; facets are met in double precision.
 
 use super::{Hit, NO_FACET, Ray};
-use crate::facet::Facet;
+use crate::facet::{Facet, RIM};
 use glam::Vec3A;
 use hemisphere::Vec3;
 use obvhs::cwbvh::{CwBvh, builder::build_cwbvh};
@@ -14,6 +14,47 @@ use std::time::Duration;
 /// The hierarchy.
 pub struct Many {
     boxes: CwBvh,
+    /// The facets as the hierarchy orders them.
+    leaves: Vec<Leaf>,
+}
+
+/// A facet, as little of it as a ray needs.
+struct Leaf {
+    normal: Vec3,
+    offset: f64,
+    /// What measures a point along two edges of a triangle; of no use for a polygon.
+    along: [(Vec3, f64); 2],
+    facet: u32,
+    is_triangle: bool,
+}
+
+impl Leaf {
+    fn of(facets: &[Facet], facet: u32) -> Self {
+        let shape = &facets[facet as usize];
+        let measures = shape.triangle_measures();
+        Self {
+            normal: shape.normal,
+            offset: shape.offset,
+            along: measures.unwrap_or([(Vec3::ZERO, 0.0); 2]),
+            facet,
+            is_triangle: measures.is_some(),
+        }
+    }
+
+    #[inline]
+    fn height(&self, p: Vec3) -> f64 {
+        self.normal.dot(p) - self.offset
+    }
+
+    #[inline]
+    fn holds(&self, facets: &[Facet], p: Vec3) -> bool {
+        if self.is_triangle {
+            let [s, t] = self.along.map(|(dual, start)| dual.dot(p) - start);
+            s >= -RIM && t >= -RIM && s + t <= 1.0 + RIM
+        } else {
+            facets[self.facet as usize].holds(p)
+        }
+    }
 }
 
 /// Single precision of a coordinate, a few times over.
@@ -32,19 +73,21 @@ impl Many {
                 Aabb::new(tight.min - margin, tight.max + margin)
             })
             .collect();
-        Self { boxes: build_cwbvh(&boxes, BvhBuildParams::medium_build(), &mut Duration::default()) }
+        let boxes = build_cwbvh(&boxes, BvhBuildParams::medium_build(), &mut Duration::default());
+        let leaves = boxes.primitive_indices.iter().map(|&facet| Leaf::of(facets, facet)).collect();
+        Self { boxes, leaves }
     }
 
     pub fn closest(&self, facets: &[Facet], ray: &Ray, least: f64) -> Option<Hit> {
         let mut best: Option<Hit> = None;
         let mut nearest = f64::INFINITY;
         self.boxes.ray_traverse(single(ray.origin, ray.direction, f64::INFINITY), &mut RayHit::none(), |_, slot| {
-            let k = self.boxes.primitive_indices[slot];
-            if k != ray.leaving {
-                let t = meet(&facets[k as usize], ray.origin, ray.direction);
-                if t > least && t < nearest && facets[k as usize].holds(ray.origin + t * ray.direction) {
+            let leaf = &self.leaves[slot];
+            if leaf.facet != ray.leaving {
+                let t = -leaf.height(ray.origin) / leaf.normal.dot(ray.direction);
+                if t > least && t < nearest && leaf.holds(facets, ray.origin + t * ray.direction) {
                     nearest = t;
-                    best = Some(Hit { distance: t, facet: k });
+                    best = Some(Hit { distance: t, facet: leaf.facet });
                     // boxes beyond are dropped; those that begin within rounding of here are not
                     return t as f32 * (1.0 + WIDENED);
                 }
@@ -58,18 +101,14 @@ impl Many {
         let way = (b - a).length();
         let direction = (b - a) / way;
         self.boxes.ray_traverse_miss(single(a, direction, way), |_, slot| {
-            let f = &facets[self.boxes.primitive_indices[slot] as usize];
-            let (ha, hb) = (f.height(a), f.height(b));
+            let leaf = &self.leaves[slot];
+            let (ha, hb) = (leaf.height(a), leaf.height(b));
             // the points lie on either side of it, and neither in it
             let parted = ha * hb < 0.0 && ha.abs() > least && hb.abs() > least;
-            let stands_between = parted && f.holds(a + ha / (ha - hb) * (b - a));
+            let stands_between = parted && leaf.holds(facets, a + ha / (ha - hb) * (b - a));
             if stands_between { 0.0 } else { f32::INFINITY }
         })
     }
-}
-
-fn meet(facet: &Facet, origin: Vec3, direction: Vec3) -> f64 {
-    -facet.height(origin) / facet.normal.dot(direction)
 }
 
 fn single(origin: Vec3, direction: Vec3, way: f64) -> obvhs::ray::Ray {
