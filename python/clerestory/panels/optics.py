@@ -22,7 +22,7 @@ POLARISATIONS = ("resolved", "averaged")
 TOLERANCE = 1e-6
 #: Straight facets by which the exact solver draws an arc.
 ARC_CHORDS = 32
-#: Pieces of light followed for one direction at most; what is left is reported as residual.
+#: Pieces of light followed for one direction at most; what is left is followed by a walk.
 MOST_PIECES = 1_000_000
 
 
