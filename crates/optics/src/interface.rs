@@ -23,10 +23,12 @@ pub enum Split {
         /// Cosine of the angle of refraction.
         cos_t: f64,
     },
-    /// Total internal reflection: all of it is mirrored, p later than s by `retardance` [rad].
+    /// Total internal reflection: all of it is mirrored, p later than s by the retardance δ.
     Total {
-        /// Phase of p less phase of s [rad].
-        retardance: f64,
+        /// cos δ.
+        cos_retardance: f64,
+        /// sin δ.
+        sin_retardance: f64,
     },
 }
 
@@ -40,12 +42,14 @@ impl Interface {
         let sin2_i = 1.0 - cos_i * cos_i;
         let sin2_t = (n_i / n_t) * (n_i / n_t) * sin2_i;
         if sin2_t >= 1.0 {
-            // Beyond the critical angle cos θ_t = i √(sin²θ_t − 1): both amplitudes have modulus one,
-            // r_s = e^{−2i atan(n_t q / n_i c)}, r_p = e^{−2i atan(n_i q / n_t c)} up to the sign of r_p at normal incidence
+            // Beyond the critical angle cos θ_t = i q, q = √(sin²θ_t − 1), and both amplitudes have modulus one:
+            // r_s = (n_i c − i n_t q) / (n_i c + i n_t q), r_p likewise with n_i and n_t exchanged, so that
+            // r_p r_s* = u² / |u|² with u = (n_t c − i n_i q) (n_i c + i n_t q)
             let q = (sin2_t - 1.0).sqrt();
-            let phase_s = -2.0 * (n_t * q).atan2(n_i * cos_i);
-            let phase_p = -2.0 * (n_i * q).atan2(n_t * cos_i);
-            return Split::Total { retardance: phase_p - phase_s };
+            let re = n_i * n_t * (cos_i * cos_i + q * q);
+            let im = cos_i * q * (n_t * n_t - n_i * n_i);
+            let norm = re * re + im * im;
+            return Split::Total { cos_retardance: (re * re - im * im) / norm, sin_retardance: 2.0 * re * im / norm };
         }
         let cos_t = (1.0 - sin2_t).sqrt();
         // Fresnel amplitude ratios, electric field across (s) and in (p) the plane of incidence
@@ -127,11 +131,13 @@ mod tests {
     /// Fresnel's rhomb: n = 1.51 at 54.6° retards p against s by 45° at each total reflection (Born & Wolf, §1.5.4).
     #[test]
     fn fresnel_rhomb_retards_by_an_eighth_turn() {
-        let Split::Total { retardance } = (Interface { n_i: 1.51, n_t: 1.0 }).split(54.617_f64.to_radians().cos())
+        let Split::Total { cos_retardance, sin_retardance } =
+            (Interface { n_i: 1.51, n_t: 1.0 }).split(54.617_f64.to_radians().cos())
         else {
             panic!("beyond the critical angle");
         };
-        assert!((retardance.abs().to_degrees() - 45.0).abs() < 0.1, "{}", retardance.to_degrees());
+        let retardance = sin_retardance.atan2(cos_retardance).to_degrees();
+        assert!((retardance.abs() - 45.0).abs() < 0.1, "{retardance}");
     }
 
     proptest! {

@@ -14,4 +14,4 @@ pub use error::OpticsError;
 pub use glazing::{ClearGlazing, Glazing, Lobe, Lobes, Scattered, Side, Stack, Straight};
 pub use interface::{Interface, Split, mirror, refract};
 pub use medium::{Absorption, Dispersion, Law, Medium, Table, medium_names};
-pub use stokes::{Mueller, Stokes, reference_axes};
+pub use stokes::{Mueller, Retarder, Stokes, reference_axes};

@@ -13,38 +13,49 @@ pub type Stokes = [f64; 4];
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mueller(pub [[f64; 4]; 4]);
 
-impl Mueller {
-    /// The boundary's action in its own axes on s power, p power and their coherence `c` = √(x_s x_p), turned by `phase`
-    /// (theory/polarisation.md, eq. 3).
-    fn diattenuating_retarder(power_s: f64, power_p: f64, coherence: f64, phase: f64) -> Self {
-        let (a, b) = (0.5 * (power_s + power_p), 0.5 * (power_s - power_p));
-        let (c, s) = (coherence * phase.cos(), coherence * phase.sin());
-        Self([[a, b, 0.0, 0.0], [b, a, 0.0, 0.0], [0.0, 0.0, c, s], [0.0, 0.0, -s, c]])
+/// What a smooth boundary does in its own axes: it weakens s and p light unequally and retards p against s
+/// (theory/polarisation.md, eq. 3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Retarder {
+    /// Mean of the powers of s and p light.
+    mean: f64,
+    /// Half their difference.
+    half_difference: f64,
+    /// Coherence √(x_s x_p) times the cosine of the retardance.
+    cos: f64,
+    /// Coherence times its sine.
+    sin: f64,
+}
+
+impl Retarder {
+    fn new(power_s: f64, power_p: f64, cos: f64, sin: f64) -> Self {
+        Self { mean: 0.5 * (power_s + power_p), half_difference: 0.5 * (power_s - power_p), cos, sin }
     }
 
-    /// What a boundary mirrors, in its own s and p axes.
+    /// What a boundary mirrors.
+    #[inline]
     pub fn reflected(split: Split) -> Self {
         match split {
-            Split::Total { retardance } => Self::diattenuating_retarder(1.0, 1.0, 1.0, retardance),
-            Split::Partial { amplitude_s: s, amplitude_p: p, .. } => {
-                Self::diattenuating_retarder(s * s, p * p, s * p, 0.0)
-            }
+            Split::Total { cos_retardance, sin_retardance } => Self::new(1.0, 1.0, cos_retardance, sin_retardance),
+            Split::Partial { amplitude_s: s, amplitude_p: p, .. } => Self::new(s * s, p * p, s * p, 0.0),
         }
     }
 
-    /// What a boundary lets through, in its own s and p axes: 1 − R of each (theory/polarisation.md, eq. 4).
+    /// What a boundary lets through: 1 − R of each (theory/polarisation.md, eq. 4).
+    #[inline]
     pub fn transmitted(split: Split) -> Self {
         match split {
-            Split::Total { .. } => Self([[0.0; 4]; 4]),
+            Split::Total { .. } => Self::new(0.0, 0.0, 0.0, 0.0),
             Split::Partial { amplitude_s: s, amplitude_p: p, .. } => {
                 let (t_s, t_p) = (1.0 - s * s, 1.0 - p * p);
-                Self::diattenuating_retarder(t_s, t_p, (t_s * t_p).sqrt(), 0.0)
+                Self::new(t_s, t_p, (t_s * t_p).sqrt(), 0.0)
             }
         }
     }
 
     /// What a gap of no width between two like boundaries mirrors, all incoherent reflections within it summed
     /// (theory/polarisation.md, eq. 5).
+    #[inline]
     pub fn reflected_by_film(split: Split) -> Self {
         match split {
             Split::Total { .. } => Self::reflected(split),
@@ -53,24 +64,44 @@ impl Mueller {
                 // inside the gap both amplitudes change sign, so their product stays
                 let t_c2 = (1.0 - r_s) * (1.0 - r_p);
                 let coherence = r_c + t_c2 * r_c / (1.0 - r_c * r_c);
-                Self::diattenuating_retarder(2.0 * r_s / (1.0 + r_s), 2.0 * r_p / (1.0 + r_p), coherence, 0.0)
+                Self::new(2.0 * r_s / (1.0 + r_s), 2.0 * r_p / (1.0 + r_p), coherence, 0.0)
             }
         }
     }
 
     /// What such a gap lets through.
+    #[inline]
     pub fn transmitted_by_film(split: Split) -> Self {
         match split {
-            Split::Total { .. } => Self([[0.0; 4]; 4]),
+            Split::Total { .. } => Self::new(0.0, 0.0, 0.0, 0.0),
             Split::Partial { amplitude_s: s, amplitude_p: p, .. } => {
                 let (r_s, r_p, r_c) = (s * s, p * p, s * p);
                 let coherence = (1.0 - r_s) * (1.0 - r_p) / (1.0 - r_c * r_c);
                 let through = |r: f64| (1.0 - r) / (1.0 + r);
-                Self::diattenuating_retarder(through(r_s), through(r_p), coherence, 0.0)
+                Self::new(through(r_s), through(r_p), coherence, 0.0)
             }
         }
     }
 
+    /// The Stokes vector after this boundary, in the boundary's axes.
+    #[inline]
+    pub fn apply(&self, [i, q, u, v]: Stokes) -> Stokes {
+        [
+            self.mean * i + self.half_difference * q,
+            self.half_difference * i + self.mean * q,
+            self.cos * u + self.sin * v,
+            self.cos * v - self.sin * u,
+        ]
+    }
+
+    /// The same as a matrix.
+    pub fn mueller(&self) -> Mueller {
+        let Self { mean: a, half_difference: b, cos: c, sin: s } = *self;
+        Mueller([[a, b, 0.0, 0.0], [b, a, 0.0, 0.0], [0.0, 0.0, c, s], [0.0, 0.0, -s, c]])
+    }
+}
+
+impl Mueller {
     /// Turns the axes by ψ about the beam: cos 2ψ and sin 2ψ given (theory/polarisation.md, eq. 2).
     pub fn turned(cos_2: f64, sin_2: f64) -> Self {
         Self([[1.0, 0.0, 0.0, 0.0], [0.0, cos_2, sin_2, 0.0], [0.0, -sin_2, cos_2, 0.0], [0.0, 0.0, 0.0, 1.0]])
@@ -128,8 +159,8 @@ mod tests {
         let split = Interface { n_i: 1.49, n_t: 1.0 }.split(0.8);
         let stokes = [1.0, 0.3, -0.5, 0.4];
         for (r, t) in [
-            (Mueller::reflected(split), Mueller::transmitted(split)),
-            (Mueller::reflected_by_film(split), Mueller::transmitted_by_film(split)),
+            (Retarder::reflected(split), Retarder::transmitted(split)),
+            (Retarder::reflected_by_film(split), Retarder::transmitted_by_film(split)),
         ] {
             assert!((r.apply(stokes)[0] + t.apply(stokes)[0] - 1.0).abs() < 1e-15);
         }
@@ -142,10 +173,10 @@ mod tests {
         let stokes = [1.0, 0.6, 0.0, 0.8];
         for cos_i in [0.9, 0.76, 0.3] {
             let split = Interface { n_i: 1.49, n_t: 1.0 }.split(cos_i);
-            assert!((purity(Mueller::reflected(split).apply(stokes)) - 1.0).abs() < 1e-12);
+            assert!((purity(Retarder::reflected(split).apply(stokes)) - 1.0).abs() < 1e-12);
         }
         let split = Interface { n_i: 1.0, n_t: 1.49 }.split(0.4);
-        assert!((purity(Mueller::transmitted(split).apply(stokes)) - 1.0).abs() < 1e-12);
+        assert!((purity(Retarder::transmitted(split).apply(stokes)) - 1.0).abs() < 1e-12);
     }
 
     /// A film is the limit of summing its inner reflections one by one.
@@ -155,17 +186,17 @@ mod tests {
         let Split::Partial { cos_t, .. } = outside else { panic!("below the critical angle") };
         let inside = Interface { n_i: 1.0, n_t: 1.49 }.split(cos_t);
         let stokes = [1.0, 0.2, 0.5, -0.3];
-        let mut in_gap = Mueller::transmitted(outside).apply(stokes);
-        let mut reflected = Mueller::reflected(outside).apply(stokes);
+        let mut in_gap = Retarder::transmitted(outside).apply(stokes);
+        let mut reflected = Retarder::reflected(outside).apply(stokes);
         let mut transmitted = [0.0; 4];
         for turn in 0..40 {
-            let leaves = Mueller::transmitted(inside).apply(in_gap);
+            let leaves = Retarder::transmitted(inside).apply(in_gap);
             let sink = if turn % 2 == 0 { &mut transmitted } else { &mut reflected };
             sink.iter_mut().zip(leaves).for_each(|(sum, x)| *sum += x);
-            in_gap = Mueller::reflected(inside).apply(in_gap);
+            in_gap = Retarder::reflected(inside).apply(in_gap);
         }
         let film =
-            (Mueller::reflected_by_film(outside).apply(stokes), Mueller::transmitted_by_film(outside).apply(stokes));
+            (Retarder::reflected_by_film(outside).apply(stokes), Retarder::transmitted_by_film(outside).apply(stokes));
         for i in 0..4 {
             assert!((film.0[i] - reflected[i]).abs() < 1e-14 && (film.1[i] - transmitted[i]).abs() < 1e-14);
         }

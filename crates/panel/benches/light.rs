@@ -57,7 +57,7 @@ fn walk(c: &mut Criterion) {
     let mut group = c.benchmark_group("walk");
     group.throughput(Throughput::Elements(RAYS));
     for polarisation in [Polarisation::Averaged, Polarisation::Resolved] {
-        let (walk, incident) = (Walk::new(&profile, &media, polarisation), from_above(40.0).vector());
+        let (walk, incident) = (Walk::new(&profile, &media, polarisation), from_above(40.0));
         let sobol = Sobol { seed: 1 };
         group.bench_function(format!("laser-cut D/W 0.3 at 40°, {polarisation:?}"), |b| {
             b.iter(|| {

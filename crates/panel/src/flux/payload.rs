@@ -1,6 +1,6 @@
 //! What a beam carries: power alone, s and p apart, or a Stokes vector.
 
-use optics::{Mueller, Split, Stokes};
+use optics::{Mueller, Retarder, Split, Stokes};
 
 /// A boundary's action on what a beam carries.
 #[derive(Clone, Copy, Debug)]
@@ -168,13 +168,13 @@ impl Payload for Stokes {
     fn actions(split: Split, is_film: bool, turns: impl FnOnce() -> Turns) -> Actions<Mueller> {
         let turns = turns();
         let (reflected, transmitted) = if is_film {
-            (Mueller::reflected_by_film(split), Mueller::transmitted_by_film(split))
+            (Retarder::reflected_by_film(split), Retarder::transmitted_by_film(split))
         } else {
-            (Mueller::reflected(split), Mueller::transmitted(split))
+            (Retarder::reflected(split), Retarder::transmitted(split))
         };
         Actions {
-            reflected: turns.mirrored.after(&reflected).after(&turns.arriving),
-            transmitted: turns.through.after(&transmitted).after(&turns.arriving),
+            reflected: turns.mirrored.after(&reflected.mueller()).after(&turns.arriving),
+            transmitted: turns.through.after(&transmitted.mueller()).after(&turns.arriving),
         }
     }
 

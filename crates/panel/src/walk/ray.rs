@@ -14,7 +14,7 @@ use crate::{
     topology::HalfEdge,
 };
 use hemisphere::{Direction, Frame, Vec3};
-use optics::{Interface, Mueller, Split, mirror, reference_axes, refract};
+use optics::{Interface, Retarder, Split, mirror, reference_axes, refract};
 
 /// Facets a ray may meet before it is given up: only light that is all but trapped gets here.
 const MOST_MEETINGS: u32 = 20_000;
@@ -210,15 +210,15 @@ impl Walk {
         let stokes = [1.0, q, u, v];
         let total = matches!(split, Split::Total { .. });
         let mirrored =
-            if is_film { Mueller::reflected_by_film(split) } else { Mueller::reflected(split) }.apply(stokes);
+            if is_film { Retarder::reflected_by_film(split) } else { Retarder::reflected(split) }.apply(stokes);
         let is_mirrored = total || draw.uniform() < mirrored[0];
         ray.total_reflections = ray.total_reflections.saturating_add(u16::from(total));
         let after = if is_mirrored {
             mirrored
         } else if is_film {
-            Mueller::transmitted_by_film(split).apply(stokes)
+            Retarder::transmitted_by_film(split).apply(stokes)
         } else {
-            Mueller::transmitted(split).apply(stokes)
+            Retarder::transmitted(split).apply(stokes)
         };
         ray.polarisation = [after[1] / after[0], after[2] / after[0], after[3] / after[0]];
         is_mirrored
