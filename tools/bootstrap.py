@@ -176,8 +176,9 @@ def prepare():
 
 
 def run():
-    """The main job: the laser-cut panel of examples/, results in out/."""
+    """The main job: the laser-cut panel and the classroom of examples/, results in out/."""
     do(PYTHON, os.path.join("examples", "laser_cut_panel.py"), "--out", "out")
+    do(PYTHON, os.path.join("examples", "classroom", "classroom.py"), "--out", os.path.join("out", "classroom"))
 
 
 def test():

@@ -100,14 +100,14 @@ def _run(
 
 def _factors(numbers: dict[str, Any]) -> Table:
     table = Table(title="Daylight factor in %", title_justify="left")
-    for heading in ("", "mean", "median", "least", "most", "min/mean", "≥ 2 %", "error ≤", "CPU"):
+    for heading in ("", "mean", "least", "most", "min/mean", "≥ 2 %", "error ≤", "CPU"):
         table.add_column(heading, justify="left" if heading == "" else "right")
     for label, row in numbers.items():
         factor = row["daylight_factor_percent"]
         error, even = factor["worst_relative_standard_error"], factor["uniformity"]
         table.add_row(
             label,
-            *(f"{factor[name]:.2f}" for name in ("mean", "median", "least", "most")),
+            *(f"{factor[name]:.2f}" for name in ("mean", "least", "most")),
             "–" if even is None else f"{even:.2f}",
             f"{100.0 * factor['share_of_sensors_at_least_2_percent']:.0f} %",
             "–" if error is None else f"{100.0 * error:.1f} %",
