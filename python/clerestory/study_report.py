@@ -69,7 +69,7 @@ def _figures(study: Study, findings: Mapping[str, Findings]) -> list[tuple[str, 
     grids = {label: _first_grid(found.daylight_factor) for label, found in findings.items()}
     drawn = {label: grid for label, grid in grids.items() if grid is not None}
     for label, grid in drawn.items():
-        figure = room_plan(grid.total, room=study.rooms[label], title=f"Daylight factor: {label}")
+        figure = room_plan(grid.total, room=study.rooms[label], title=f"Daylight factor\n{label}")
         made.append((f"{_stem(label)}-plan.png", figure))
     if drawn:
         curves = {label: grid.total for label, grid in drawn.items()}
