@@ -57,6 +57,9 @@ impl Leaf {
     }
 }
 
+/// The hierarchy skips boxes that end within 1e-4 of a ray's origin, in whatever unit: rays begin as far behind theirs, twice over.
+const BEHIND: f64 = 2e-4;
+
 /// Single precision of a coordinate, a few times over.
 const WIDENED: f32 = 4.0 * f32::EPSILON;
 
@@ -89,7 +92,7 @@ impl Many {
                     nearest = t;
                     best = Some(Hit { distance: t, facet: leaf.facet });
                     // boxes beyond are dropped; those that begin within rounding of here are not
-                    return t as f32 * (1.0 + WIDENED);
+                    return (t + BEHIND) as f32 * (1.0 + WIDENED);
                 }
             }
             f32::INFINITY
@@ -112,7 +115,8 @@ impl Many {
 }
 
 fn single(origin: Vec3, direction: Vec3, way: f64) -> obvhs::ray::Ray {
-    obvhs::ray::Ray::new(origin.as_vec3a(), direction.as_vec3a(), 0.0, way as f32)
+    let start = origin - BEHIND * direction;
+    obvhs::ray::Ray::new(start.as_vec3a(), direction.as_vec3a(), 0.0, (way + BEHIND) as f32)
 }
 
 // a ray of no facet must not be taken for one of the last facet a word can number
