@@ -32,6 +32,7 @@ CASES = (
     "radiance_room",
     "sun_through_pane",
     "panel_lights_ceiling",
+    "drawn_panel",
 )
 
 
