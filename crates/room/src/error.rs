@@ -40,7 +40,7 @@ pub enum RoomError {
         name: String,
         /// Which vertex, from 0.
         vertex: usize,
-        /// How far off [m].
+        /// How far off \[m\].
         distance_m: f64,
     },
     /// An outline that crosses or touches itself.

@@ -10,7 +10,7 @@ pub struct Facet {
     pub normal: Vec3,
     /// The plane is normal · p = offset.
     pub offset: f64,
-    /// Area [m²].
+    /// Area \[m²\].
     pub area: f64,
     /// Which surface it belongs to.
     pub surface: u32,

@@ -46,7 +46,7 @@ impl Outline {
         self.loops[0].iter().map(|&p| self.lift(p)).collect()
     }
 
-    /// Area without the holes [m²].
+    /// Area without the holes \[m²\].
     pub fn area(&self) -> f64 {
         self.loops.iter().skip(1).fold(signed_area(&self.loops[0]).abs(), |area, hole| area - signed_area(hole).abs())
     }
@@ -189,7 +189,7 @@ pub fn check_finite(name: &str, vertices: &[Vec3]) -> Result<(), RoomError> {
     Ok(())
 }
 
-/// The longest side of the box around some points [m].
+/// The longest side of the box around some points \[m\].
 pub fn extent(points: &[Vec3]) -> f64 {
     let low = points.iter().fold(Vec3::INFINITY, |low, &p| low.min(p));
     let high = points.iter().fold(Vec3::NEG_INFINITY, |high, &p| high.max(p));

@@ -16,7 +16,7 @@ pub struct Surface {
     pub name: String,
     /// What it does to light.
     pub kind: Kind,
-    /// Area of all its facets [m²].
+    /// Area of all its facets \[m²\].
     pub area: f64,
     /// Its facets.
     pub facets: Range<u32>,
@@ -50,7 +50,7 @@ impl Scene {
         &self.surfaces[self.facet(facet).surface as usize]
     }
 
-    /// The first surface met from a point along a direction: how far [m], which.
+    /// The first surface met from a point along a direction: how far \[m\], which.
     pub fn closest(&self, origin: Vec3, direction: Vec3) -> Option<(f64, u32)> {
         let Hit { distance, facet } = self.tracer.closest(&Ray { origin, direction, leaving: NO_FACET })?;
         Some((distance, self.facet(facet).surface))

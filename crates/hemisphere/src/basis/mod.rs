@@ -23,7 +23,7 @@ pub struct SkyBasis {
     sine_low: Vec<f64>,
 }
 
-/// Where a patch lies [rad]: altitudes above the horizon, azimuths clockwise from north (`azimuth_low` may be negative).
+/// Where a patch lies \[rad\]: altitudes above the horizon, azimuths clockwise from north (`azimuth_low` may be negative).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatchBounds {
     /// Lower altitude.
@@ -197,7 +197,7 @@ fn rough_angle(x: f64, y: f64) -> f64 {
     half.copysign(y)
 }
 
-/// The unit vector towards this altitude and azimuth (clockwise from north) [rad].
+/// The unit vector towards this altitude and azimuth (clockwise from north) \[rad\].
 pub fn towards(altitude: f64, azimuth: f64) -> Vec3 {
     let across = altitude.cos();
     Vec3::new(across * azimuth.sin(), across * azimuth.cos(), altitude.sin())

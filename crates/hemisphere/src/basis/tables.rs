@@ -5,13 +5,13 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 /// Patches of one altitude band, all of one width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ring {
-    /// Lower altitude [rad].
+    /// Lower altitude \[rad\].
     pub altitude_low: f64,
-    /// Upper altitude [rad].
+    /// Upper altitude \[rad\].
     pub altitude_high: f64,
     /// How many patches share the ring.
     pub count: usize,
-    /// Where the first of them begins, clockwise from north [rad].
+    /// Where the first of them begins, clockwise from north \[rad\].
     pub azimuth_low: f64,
 }
 

@@ -25,7 +25,7 @@ pub struct Ray {
 /// Where a ray ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// How far along the ray [m].
+    /// How far along the ray \[m\].
     pub distance: f64,
     /// On which facet.
     pub facet: u32,
@@ -45,7 +45,7 @@ pub struct Place {
 /// The facets of a scene, ready to be met by rays.
 pub struct Tracer {
     facets: Vec<Facet>,
-    /// Shorter ways than this are rounding [m].
+    /// Shorter ways than this are rounding \[m\].
     least: f64,
     index: Index,
 }

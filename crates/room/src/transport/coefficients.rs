@@ -31,7 +31,7 @@ pub struct DaylightCoefficients {
     pub converged: bool,
     /// Whether it was stopped before its end.
     pub interrupted: bool,
-    /// Time it took [s].
+    /// Time it took \[s\].
     pub seconds: f64,
 }
 

@@ -65,7 +65,7 @@ impl Portals {
         Some(Drawn { surface, facet, point: scene.facet(facet).point([u.coordinate(0), u.coordinate(1)]) })
     }
 
-    /// The density with which a point of a window is drawn from `seen_from` [1/m²]: none from outside.
+    /// The density with which a point of a window is drawn from `seen_from` \[1/m²\]: none from outside.
     #[inline]
     pub fn density(&self, scene: &Scene, facet: u32, seen_from: Vec3) -> f64 {
         let on_room_side = scene.facet(facet).height(seen_from) > 0.0;

@@ -61,7 +61,7 @@ pub struct Progress {
     pub expected_rounds: usize,
     /// Largest relative standard error of Σ coefficient · weight over the sensors that have any; NaN before the second round.
     pub worst_relative_error: f64,
-    /// Time since the start [s].
+    /// Time since the start \[s\].
     pub seconds: f64,
 }
 

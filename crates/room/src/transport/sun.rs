@@ -28,7 +28,7 @@ pub struct SunCoefficients {
     pub rounds: usize,
     /// Whether it was stopped before its end.
     pub interrupted: bool,
-    /// Time it took [s].
+    /// Time it took \[s\].
     pub seconds: f64,
 }
 

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
-/// Angular diameter of the sun [rad]: 0.533°.
+/// Angular diameter of the sun \[rad\]: 0.533°.
 const DIAMETER: f64 = 0.533 * PI / 180.0;
 
 /// The most of a window's light that may have no definite direction.
