@@ -79,6 +79,52 @@ fn light_guide_keeps_what_enters_its_face() {
     assert!(redirected > 0.98 * value, "{redirected} of {value}");
 }
 
+/// A white furnace stays as bright as its surroundings with a half mirror and a block of clear glass in it: nothing is gained or lost at
+/// mirrors and boundaries, by shared points or by a sensor's own directions.
+#[test]
+fn furnace_with_mirror_and_glass_is_as_bright() {
+    let room = rooms::Shoebox { reflectances: [1.0; 3], ..rooms::Shoebox::reference() };
+    let pane = optics::ClearGlazing::slab(1.5, 4.0, 0.0).expect("possible");
+    let mut b = room.builder(std::sync::Arc::new(pane));
+    let screen = [(1., 3., 0.5), (3., 3., 0.5), (3., 3.5, 2.5), (1., 3.5, 2.5)].map(|(x, y, z)| Vec3::new(x, y, z));
+    b.polygon("half mirror", &screen, &[], Material { diffuse: 0.5, specular: 0.5 }).expect("sound");
+    let (vertices, triangles) = block(Vec3::new(1.2, 1.5, 0.9), Vec3::new(2.4, 2.0, 1.4));
+    let glass = Medium { n: 1.5, absorption_per_m: 0.0 };
+    b.interface("block", &vertices, &triangles, Medium::AIR, glass).expect("sound");
+    let scene = b.build().expect("nested");
+    let points = [Vec3::new(2.0, 1.75, 0.8), Vec3::new(2.0, 2.8, 1.2), Vec3::new(1.0, 6.0, 0.8)];
+    let normals = [Vec3::Z, Vec3::Y, Vec3::Z];
+    let basis = tregenza();
+    let settings = Settings { weights: Some(vec![1.0; basis.patches()]), rounds: 32, ..Settings::default() };
+    let found = daylight_coefficients(&scene, &points, &normals, &basis, &settings, |_| true).expect("sound");
+    for i in 0..points.len() {
+        let (value, error) = (found.weighted.value[i], found.weighted.standard_error[i]);
+        assert_estimate("furnace", value, error, PI, 0.03 * PI);
+    }
+}
+
+/// Light that can never leave ends the work all the same: in a closed white room, and totally reflected in a block of glass.
+#[test]
+fn trapped_paths_come_to_an_end() {
+    let mut closed = SceneBuilder::default();
+    let (vertices, triangles) = block(Vec3::ZERO, Vec3::ONE);
+    closed.mesh("white box", &vertices, &triangles, Material::diffuse(1.0)).expect("sound");
+    let mut solid = SceneBuilder::default();
+    solid
+        .interface("glass", &vertices, &triangles, Medium::AIR, Medium { n: 1.8, absorption_per_m: 0.0 })
+        .expect("sound");
+    let settings = Settings { rounds: 2, ..Settings::default() };
+    let found = [closed, solid].map(|b| {
+        let scene = b.build().expect("sound");
+        let middle = [Vec3::splat(0.5)];
+        daylight_coefficients(&scene, &middle, &[Vec3::Z], &tregenza(), &settings, |_| true)
+            .expect("sound")
+            .weighted
+            .value[0]
+    });
+    assert!(found[0] == 0.0 && found[1] > 0.1, "{found:?}");
+}
+
 /// Glass in water in air nests; a body whose neighbour says otherwise, or that is open, does not.
 #[test]
 fn media_must_nest() {

@@ -62,6 +62,12 @@ pub struct Techniques<'a> {
 /// Window points drawn at a diffuse reflection.
 const WINDOW_POINTS: u32 = 3;
 
+/// Meetings with surfaces after which roulette ends even paths that lose nothing: between white walls, in a block of glass.
+const PATIENCE: u32 = 512;
+
+/// Probability with which such a path goes on, its light then counting the more.
+const GOES_ON: f64 = 0.98;
+
 /// Where the light comes from.
 pub enum Light<'a> {
     /// The sky and the ground, patch by patch.
@@ -139,7 +145,13 @@ impl Walker<'_> {
     /// Follows a path to its end.
     pub fn follow(&self, mut state: State<'_>, path: &mut Path<'_>) {
         let scene = self.scene;
-        loop {
+        for meeting in 0_u32.. {
+            if meeting > PATIENCE {
+                if path.numbers.rng.uniform() >= GOES_ON {
+                    return;
+                }
+                state.beta /= GOES_ON;
+            }
             let Ray { origin, direction, .. } = state.ray;
             let Some(hit) = scene.tracer.closest(&state.ray) else {
                 // suns are looked for where light is reflected, not met by chance
