@@ -1,8 +1,8 @@
 //! Daylight coefficients of the sky's patches and the ground.
 
+use super::path::Light;
 use super::rounds::{Component, Progress, Settings, run};
 use super::sensors::Sensors;
-use super::walk::Light;
 use crate::RoomError;
 use crate::scene::Scene;
 use hemisphere::{SkyBasis, Vec3};

@@ -2,8 +2,9 @@
 
 use super::nodes::{Node, NodeDensity, Shared};
 use super::numbers::Numbers;
+use super::path::{Path, Techniques, Vertex};
 use super::sensors::Sensors;
-use super::walk::{Path, Techniques, Vertex, Walker};
+use super::walk::Walker;
 use super::{Entry, Part};
 use crate::tracer::NO_FACET;
 use hemisphere::{Rng, Sobol};

@@ -1,8 +1,9 @@
 //! Looking out through the windows: by points drawn on them, and by directions drawn in each patch of the sky
 //! (theory/room.md, eqs. 5 and 6).
 
+use super::path::{Came, Light, Path, State, Techniques, Vertex};
 use super::portals::Drawn;
-use super::walk::{Came, Light, Path, State, Techniques, Vertex, Walker};
+use super::walk::Walker;
 use crate::surface::{Kind, Medium};
 use crate::tracer::Ray;
 use hemisphere::{Direction, Sobol, Vec3};

@@ -11,6 +11,7 @@ mod gather;
 mod look_out;
 mod nodes;
 mod numbers;
+mod path;
 mod portals;
 pub mod rounds;
 mod sensors;

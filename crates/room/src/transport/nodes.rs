@@ -2,8 +2,9 @@
 
 use super::Entry;
 use super::numbers::Numbers;
+use super::path::{Path, Vertex};
 use super::sensors::Sensors;
-use super::walk::{Path, Vertex, Walker, cosine_direction};
+use super::walk::{Walker, cosine_direction};
 use crate::scene::Scene;
 use crate::surface::Kind;
 use crate::tracer::{NO_FACET, Ray};

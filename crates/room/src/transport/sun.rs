@@ -1,9 +1,9 @@
 //! Illuminance by the sun at many places in turn, without patches: exact beams through every window (theory/room.md, eqs. 11 and 12).
 
+use super::path::Light;
 use super::rounds::{Component, Progress, Settings, run};
 use super::sensors::Sensors;
 use super::suns::Suns;
-use super::walk::Light;
 use crate::RoomError;
 use crate::scene::Scene;
 use hemisphere::{Direction, Vec3};

@@ -2,7 +2,8 @@
 //! (theory/room.md, eqs. 11 and 12).
 
 use super::Entry;
-use super::walk::{Path, Vertex, Walker};
+use super::path::{Path, Vertex};
+use super::walk::Walker;
 use crate::RoomError;
 use crate::scene::Scene;
 use crate::surface::Kind;

@@ -1,15 +1,14 @@
 //! One path, followed from where its light is wanted until it ends in the sky or is absorbed (theory/room.md, eqs. 3–8).
 
 use super::look_out::Sight;
-use super::nodes::NodeDensity;
-use super::numbers::{Event, Numbers};
+use super::numbers::Event;
+use super::path::{Came, Light, Path, State, Techniques, Vertex};
 use super::portals::Portals;
-use super::suns::Suns;
 use super::{Entry, Part};
 use crate::scene::Scene;
 use crate::surface::{Kind, Medium};
-use crate::tracer::{Place, Ray};
-use hemisphere::{Direction, Frame, SkyBasis, Vec3};
+use crate::tracer::Ray;
+use hemisphere::{Direction, Frame, Vec3};
 use optics::{Interface, Scattered, Split};
 use std::f64::consts::PI;
 
@@ -23,42 +22,6 @@ pub struct Walker<'a> {
     pub max_bounces: Option<u32>,
 }
 
-/// A point of a surface that reflects diffusely, or a sensor, on the side of its normal.
-#[derive(Clone, Copy)]
-pub struct Vertex {
-    pub place: Place,
-    /// Unit normal on the side that is lit.
-    pub normal: Vec3,
-    /// The facet it lies on, or none.
-    pub facet: u32,
-}
-
-/// The random numbers of one path and the light found on it.
-pub struct Path<'a> {
-    pub numbers: Numbers,
-    pub out: &'a mut Vec<Entry>,
-}
-
-impl Path<'_> {
-    /// A way that branches off.
-    pub fn branch(&mut self) -> Path<'_> {
-        Path { numbers: self.numbers.branch(), out: self.out }
-    }
-}
-
-/// How many points each technique draws, for weighing them against each other.
-#[derive(Clone, Copy)]
-pub struct Techniques<'a> {
-    /// Directions drawn by the cosine law.
-    pub directions: f64,
-    /// Points drawn on windows.
-    pub window_points: u32,
-    /// Directions drawn in each patch of the sky, for windows that turn no light.
-    pub patch_directions: u32,
-    /// Points drawn on surfaces.
-    pub nodes: Option<&'a NodeDensity>,
-}
-
 /// Window points drawn at a diffuse reflection.
 const WINDOW_POINTS: u32 = 3;
 
@@ -68,36 +31,8 @@ const PATIENCE: u32 = 512;
 /// Probability with which such a path goes on, its light then counting the more.
 const GOES_ON: f64 = 0.98;
 
-/// Where the light comes from.
-pub enum Light<'a> {
-    /// The sky and the ground, patch by patch.
-    Sky(&'a SkyBasis),
-    /// The sun at many places in turn.
-    Suns(Suns),
-}
-
 /// A ray of which the share s is kept is followed with probability 8 s: its light is then of even weight, and little.
 const FOLLOWED: f64 = 8.0;
-
-/// Whence a ray comes, as far as another technique could have found its end.
-pub enum Came<'a> {
-    /// From a diffuse vertex at this cosine.
-    Scattered { cos: f64, techniques: Techniques<'a> },
-    /// From a mirror, a window or a boundary: no other technique follows these.
-    Specular,
-}
-
-pub struct State<'a> {
-    pub ray: Ray,
-    /// What its radiance counts for.
-    pub beta: f64,
-    pub came: Came<'a>,
-    pub bounces: u32,
-    pub redirected: bool,
-    pub medium: Medium,
-    /// Whether diffuse vertices look for windows.
-    pub looks_out: bool,
-}
 
 impl Walker<'_> {
     /// The light that a diffuse vertex of this reflectance sends on, times `beta`: from windows it sees, and from a reflection.
@@ -299,23 +234,6 @@ impl Walker<'_> {
             Light::Suns(_) => 0,
         };
         Techniques { directions: 1.0, window_points, patch_directions: 0, nodes: None }
-    }
-}
-
-impl Came<'_> {
-    fn is_sensor(&self) -> bool {
-        matches!(self, Self::Scattered { techniques: Techniques { nodes: Some(_), .. }, .. })
-    }
-
-    /// The share of a surface point's light that a drawn direction keeps, the rest being left to the nodes (balance heuristic,
-    /// theory/room.md, eq. 6).
-    fn kept_at_node(&self, scene: &Scene, facet: u32, cos_facet: f64, distance: f64) -> f64 {
-        let Self::Scattered { cos, techniques: Techniques { directions, nodes: Some(nodes), .. } } = self else {
-            return 1.0;
-        };
-        let by_direction = directions * cos * cos_facet.abs() / (PI * distance * distance);
-        let by_node = nodes.per_m2(scene.facet(facet).surface, cos_facet < 0.0);
-        by_direction / (by_direction + by_node)
     }
 }
 
