@@ -102,7 +102,7 @@ def claim(thorough: bool) -> Claim:
             axes.bar(place, found[0], yerr=found[1], width=0.34, color=COLOURS[row], label=label, capsize=3)
         axes.set_xticks(range(3), ["level", "above", "below"])
         axes.set(ylabel="Illuminance [lx per cd/m²]", title="A panel as a plane and drawn bar by bar")
-        axes.legend(ncols=2)
+        axes.legend(ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.12))
     return Claim(
         [
             Measured("whole: largest standard error, relative", float((whole_error / bars[0]).max()), 0.01),

@@ -73,6 +73,6 @@ def claim(thorough: bool) -> Claim:
             at = [(elevation, value) for r, elevation, value in drawn if r == reflectance]
             axes.plot(*zip(*at, strict=True), "o", color=style["color"])
         axes.set(xlabel="Elevation of the wall's edge [°]", ylabel="Percent of the open sky")
-        axes.set_title("A long wall before a sensor, uniform sky: lines closed form, dots traced")
+        axes.set_title("A long wall: lines closed form, dots traced")
         axes.legend()
     return Claim(measured, figure)
