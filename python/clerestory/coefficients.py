@@ -46,6 +46,8 @@ def daylight_coefficients(
     sky: CieSky | None = None,
     target_relative_error: float | None = None,
     rounds: int = 16,
+    nodes: int = 512,
+    window_samples: int = 512,
     max_rounds: int = 4096,
     max_bounces: int | None = None,
     seed: int = 0,
@@ -71,6 +73,11 @@ def daylight_coefficients(
         Goes on until the illuminance under ``sky`` is that good (one standard error) at every sensor.
     rounds : int, default 16
         Independent repetitions without a target; at least 2, as the standard errors come from their scatter.
+    nodes : int, default 512
+        Points of the room's surfaces, shared by all sensors, that one round draws for the interreflected part. Few
+        rounds of many nodes are the better use of time; many rounds give the better standard error.
+    window_samples : int, default 512
+        Directions through the windows that one round draws at each sensor for the direct and redirected parts.
     max_rounds : int, default 4096
         Where a target gives up; `converged` then says 0.
     max_bounces : int, optional
@@ -110,6 +117,8 @@ def daylight_coefficients(
         positive("target_relative_error", target_relative_error)
     for name, value, least in (("rounds", rounds, 2), ("max_rounds", max_rounds, 2), ("seed", seed, 0)):
         _whole(name, value, least)
+    for name, value in (("nodes", nodes), ("window_samples", window_samples)):
+        _whole(name, value, 1)
     if max_bounces is not None:
         _whole("max_bounces", max_bounces, 0)
     patches = sky_basis(basis)
@@ -128,6 +137,8 @@ def daylight_coefficients(
         patches,
         seed=seed,
         rounds=rounds,
+        nodes=nodes,
+        window_samples=window_samples,
         max_bounces=max_bounces,
         target_relative_error=target_relative_error,
         max_rounds=max_rounds,
@@ -172,6 +183,8 @@ def daylight_coefficients(
             max_bounces=max_bounces,
             seed=seed,
             rounds=int(traced["rounds"]),
+            nodes=nodes,
+            window_samples=window_samples,
             converged=int(traced["converged"]),
             interrupted=int(traced["interrupted"]),
             cpu_seconds=time.process_time() - started,
