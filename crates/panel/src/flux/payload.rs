@@ -182,3 +182,19 @@ impl Payload for Stokes {
         self
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A gap mirrors what its first face mirrors and all that its faces send to and fro in between.
+    #[test]
+    fn a_film_sums_the_reflections_within_its_gap() {
+        for r in [0.0_f64, 0.04, 0.3, 0.9] {
+            let t = 1.0 - r;
+            let summed: f64 = r + (0..2000).map(|k| t * r.powi(2 * k + 1) * t).sum::<f64>();
+            assert!((film_reflectance(r) - summed).abs() < 1e-12, "R = {r}");
+        }
+        assert_eq!(film_reflectance(1.0), 1.0);
+    }
+}
