@@ -8,5 +8,5 @@ JOBS := prepare run test check validate bench wheel clean
 export NATIVE
 
 help $(JOBS):
-	@command -v $(PYTHON) >/dev/null 2>&1 || { echo "clerestory: Python 3.10 or newer is needed: install python3 (python.org/downloads, or apt install python3 python3-venv)" >&2; exit 1; }
+	@command -v $(PYTHON) >/dev/null 2>&1 || { echo "clerestory: Python 3.11 or newer is needed: install python3 (python.org/downloads, or apt install python3 python3-venv)" >&2; exit 1; }
 	@$(PYTHON) tools/bootstrap.py $@

@@ -17,7 +17,7 @@ VENV = os.path.join(ROOT, ".venv")
 SCRIPTS = os.path.join(VENV, "Scripts" if os.name == "nt" else "bin")
 PYTHON = os.path.join(SCRIPTS, "python.exe" if os.name == "nt" else "python")
 PACKAGE = os.path.join(ROOT, "python", "clerestory")
-PYTHON_NEEDED = (3, 10)
+PYTHON_NEEDED = (3, 11)
 RUST_NEEDED = (1, 85)
 
 
@@ -76,7 +76,7 @@ def check_tools():
     if sys.version_info < PYTHON_NEEDED:
         found = ".".join(map(str, sys.version_info[:3]))
         stop(
-            f"Python 3.10 or newer is needed, found {found}: install it, then run this again "
+            f"Python 3.11 or newer is needed, found {found}: install it, then run this again "
             "(make PYTHON=/path/to/python3 names one)"
         )
     rust = said_by("rustc", "--version") or ""
@@ -169,7 +169,7 @@ def native_module():
 def prepare():
     """Environment, packages and native module, as far as they are not there yet."""
     rust = check_tools()
-    if said_by(PYTHON, "-c", "import pip, sys; sys.exit(sys.version_info < (3, 10))") is None:
+    if said_by(PYTHON, "-c", "import pip, sys; sys.exit(sys.version_info < (3, 11))") is None:
         make_environment()
     once("packages", read(os.path.join(ROOT, "requirements", "lock.txt")), lambda: install("requirements/lock.txt"))
     once("native", (ROOT, rust, os.environ.get("RUSTFLAGS"), cargo_variables(), rust_sources()), build, native_module)

@@ -163,5 +163,5 @@ def _standard_error(coefficients: xr.Dataset, luminance: xr.DataArray) -> tuple[
         scale = float(values @ shape / (shape @ shape))
         if np.allclose(values, scale * shape, rtol=1e-9, atol=0.0):
             return coefficients["sky_illuminance_standard_error"] * scale, "standard error"
-    bound: xr.DataArray = sum(coefficients[f"{part}_standard_error"] for part in PARTS) @ abs(luminance)
-    return bound, "upper bound"
+    errors = xr.concat([coefficients[f"{part}_standard_error"] for part in PARTS], dim="part").sum("part")
+    return errors @ abs(luminance), "upper bound"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from datetime import datetime, timezone
+from datetime import UTC, datetime
 from typing import Any
 
 from clerestory._native import __version__
@@ -25,7 +25,7 @@ def provenance(**made_from: Any) -> dict[str, Any]:
     """
     attributes: dict[str, Any] = {
         "clerestory_version": __version__,
-        "date": datetime.now(timezone.utc).isoformat(timespec="seconds"),
+        "date": datetime.now(UTC).isoformat(timespec="seconds"),
     }
     for name, value in made_from.items():
         if value is not None:

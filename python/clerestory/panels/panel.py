@@ -16,9 +16,9 @@ from clerestory.panels.optics import ARC_CHORDS, TOLERANCE, Polarisation
 
 if TYPE_CHECKING:
     import os
+    from typing import Self
 
     import xarray as xr
-    from typing_extensions import Self
 
     from clerestory.panels.angular import Method
     from clerestory.profile import Profile

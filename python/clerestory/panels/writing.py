@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-import sys
+import tomllib
 from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
@@ -14,11 +14,6 @@ from clerestory.errors import ClerestoryError
 from clerestory.medium import Medium
 from clerestory.rules import one_of
 from clerestory.saving import write_text
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
 
 if TYPE_CHECKING:
     from clerestory.panels.panel import Panel

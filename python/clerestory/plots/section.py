@@ -112,7 +112,13 @@ def _draw_beams(axes: Axes, beams: Dataset, across: tuple[float, float], reach: 
         corners[0, near] = corners[0, far] - way[0]
     order = np.argsort(power, kind="stable")
     shades = PolyCollection(
-        corners[order], array=power[order], cmap=LIGHT, norm=LogNorm(0.01, 1.0), edgecolors="none", alpha=0.8, zorder=3
+        list(corners[order]),
+        array=power[order],
+        cmap=LIGHT,
+        norm=LogNorm(0.01, 1.0),
+        edgecolors="none",
+        alpha=0.8,
+        zorder=3,
     )
     axes.add_collection(shades)
     return shades

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-import sys
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -22,11 +22,6 @@ from clerestory.room.toml_table import Table
 from clerestory.room.window import Window
 from clerestory.rules import number, one_of
 from clerestory.site import Site
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
 
 OBSTRUCTIONS: dict[str, type[Any]] = {
     "facing-building": FacingBuilding,
