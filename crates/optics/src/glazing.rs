@@ -48,13 +48,15 @@ pub struct Lobe {
     pub total_reflections: u16,
 }
 
-/// Every beam that leaves, and what does not.
+/// Every beam that leaves, and what does not: the powers of the beams, `absorbed`, `spread` and `residual` sum to 1.
 #[derive(Clone, Debug, Default)]
 pub struct Lobes {
     /// The beams, no two of one direction.
     pub beams: Vec<Lobe>,
     /// Share of the incident power absorbed.
     pub absorbed: f64,
+    /// Share of the incident power that leaves spread over solid angle, not in beams: [`Glazing::bsdf`] says where to.
+    pub spread: f64,
     /// Share of the incident power not followed to its end.
     pub residual: f64,
 }
@@ -63,7 +65,7 @@ impl Lobes {
     /// Forgets everything but keeps the memory.
     pub fn clear(&mut self) {
         self.beams.clear();
-        (self.absorbed, self.residual) = (0.0, 0.0);
+        (self.absorbed, self.spread, self.residual) = (0.0, 0.0, 0.0);
     }
 }
 
@@ -105,5 +107,23 @@ pub trait Glazing: Send + Sync {
     /// The two shares at this incidence, if the element never turns light and never reflects it totally; `None` otherwise.
     fn straight(&self, _incident: Direction) -> Option<Straight> {
         None
+    }
+
+    /// The bidirectional scattering distribution [1/sr] of the part that is not specular, on both sides: radiance that leaves
+    /// along `outgoing` for each unit of irradiance that arrives along `incident` (theory/bsdf.md, eq. 1). Its integral over
+    /// |outgoing.z| dω is [`Lobes::spread`]. Zero where all light leaves in beams.
+    fn bsdf(&self, _incident: Direction, _outgoing: Direction) -> f64 {
+        0.0
+    }
+
+    /// Whether [`Self::bsdf`] can be other than zero.
+    fn spreads(&self) -> bool {
+        false
+    }
+
+    /// Probability per solid angle [1/sr] with which [`Self::scatter`] draws `outgoing` from the spread part; its integral over
+    /// all directions is [`Lobes::spread`], as a draw may also be a beam or an end. Zero for beams, which have no density.
+    fn density(&self, incident: Direction, outgoing: Direction) -> f64 {
+        self.bsdf(incident, outgoing) * outgoing.z.abs()
     }
 }
