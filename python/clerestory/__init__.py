@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from clerestory._native import __version__
 
 if TYPE_CHECKING:
+    from clerestory.bsdf import Band, Bsdf, KlemsBlock, TreeBlock
     from clerestory.coefficients import SensorWarning, daylight_coefficients
     from clerestory.compare import Comparison, compare
     from clerestory.drawing.line import Face, Outline
@@ -49,6 +50,8 @@ if TYPE_CHECKING:
 
 __all__ = [
     "AbsorptionSpectrum",
+    "Band",
+    "Bsdf",
     "CieSky",
     "ClerestoryError",
     "Comparison",
@@ -59,6 +62,7 @@ __all__ = [
     "FacingBuilding",
     "Glass",
     "Interface",
+    "KlemsBlock",
     "LaserCutPanel",
     "LightShelf",
     "Louvres",
@@ -84,6 +88,7 @@ __all__ = [
     "Slab",
     "Stack",
     "Surface",
+    "TreeBlock",
     "TregenzaSharples",
     "Window",
     "__version__",
@@ -114,6 +119,10 @@ __all__ = [
 
 #: Where each name comes from: its module is imported when the name is first used, so that few wait for many.
 _PLACES = {
+    "Band": "clerestory.bsdf",
+    "Bsdf": "clerestory.bsdf",
+    "KlemsBlock": "clerestory.bsdf",
+    "TreeBlock": "clerestory.bsdf",
     "SensorWarning": "clerestory.coefficients",
     "daylight_coefficients": "clerestory.coefficients",
     "Comparison": "clerestory.compare",

@@ -1,0 +1,73 @@
+"""What a window element does to light, as tables over directions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from clerestory.bsdf.band import Band
+from clerestory.errors import ClerestoryError
+from clerestory.glazing import Glazing, check_glazing
+from clerestory.rules import positive
+
+BANDS = ("visible", "solar", "x", "z")
+"""Names of the bands of a BSDF."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Bsdf:
+    """A window element known by its bidirectional scattering distribution, from a file, a panel or a measurement.
+
+    Parameters
+    ----------
+    name : str
+        Of the product; files must have one.
+    visible : Band
+        As the eye weighs daylight (CIE Y).
+    solar : Band, optional
+        Weighed by the power of sunlight.
+    x, z : Band, optional
+        CIE X and Z, for colour.
+    thickness_mm : float, optional [mm]
+        Of the element; files must have one.
+    manufacturer : str, default "unspecified"
+    exact : Glazing, optional
+        Where the matrices come from: its specular beams are kept beside them, and a room uses those.
+    attrs : dict, optional
+        Whatever else is known, as text and numbers.
+
+    Raises
+    ------
+    ClerestoryError
+        If an argument is of another type or out of its range.
+    """
+
+    name: str
+    visible: Band
+    solar: Band | None = None
+    x: Band | None = None
+    z: Band | None = None
+    thickness_mm: float | None = None
+    manufacturer: str = "unspecified"
+    exact: Glazing | None = None
+    attrs: dict[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name in ("name", "manufacturer"):
+            text = getattr(self, name)
+            if not isinstance(text, str) or not text.strip():
+                raise ClerestoryError(f"{name} must be a word or more, got {text!r}; some readers fail without it")
+        for name in BANDS:
+            band = getattr(self, name)
+            if not (isinstance(band, Band) or (band is None and name != "visible")):
+                raise ClerestoryError(f"{name} must be a Band, got {type(band).__name__}")
+        if self.thickness_mm is not None:
+            object.__setattr__(self, "thickness_mm", positive("thickness_mm", self.thickness_mm))
+        if self.exact is not None:
+            check_glazing("exact", self.exact)
+
+    @property
+    def bands(self) -> Iterator[tuple[str, Band]]:
+        """Name and band of those that are known."""
+        return ((name, getattr(self, name)) for name in BANDS if getattr(self, name) is not None)
