@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from clerestory.sun import sun_position
     from clerestory.sun_coefficients import sun_coefficients
     from clerestory.sunlight import direct_normal_illuminance_lx
+    from clerestory.weather import Weather, read_epw, read_wea
 
 __all__ = [
     "AbsorptionSpectrum",
@@ -90,6 +91,7 @@ __all__ = [
     "Surface",
     "TreeBlock",
     "TregenzaSharples",
+    "Weather",
     "Window",
     "__version__",
     "average_by_group",
@@ -102,12 +104,14 @@ __all__ = [
     "medium_names",
     "medium_of_pane",
     "panel_from_dict",
+    "read_epw",
     "read_measured",
     "read_meshes",
     "read_panel",
     "read_profile",
     "read_radiance",
     "read_room",
+    "read_wea",
     "save",
     "sky_basis",
     "sun_coefficients",
@@ -184,6 +188,9 @@ _PLACES = {
     "sun_position": "clerestory.sun",
     "sun_coefficients": "clerestory.sun_coefficients",
     "direct_normal_illuminance_lx": "clerestory.sunlight",
+    "Weather": "clerestory.weather",
+    "read_epw": "clerestory.weather",
+    "read_wea": "clerestory.weather",
 }
 
 
