@@ -19,6 +19,20 @@ if TYPE_CHECKING:
     from clerestory.measured_glass import MeasuredGlass, measured_glass, medium_of_pane
     from clerestory.medium import Medium, medium_names
     from clerestory.medium_laws import AbsorptionSpectrum, Dispersion
+    from clerestory.metrics.annual_light_exposure import annual_light_exposure
+    from clerestory.metrics.annual_sunlight_exposure import annual_sunlight_exposure
+    from clerestory.metrics.annual_uniformity import annual_uniformity
+    from clerestory.metrics.blinds import blinds_closed, with_blinds
+    from clerestory.metrics.continuous_daylight_autonomy import continuous_daylight_autonomy
+    from clerestory.metrics.daylight_autonomy import daylight_autonomy
+    from clerestory.metrics.daylight_provision import daylight_provision
+    from clerestory.metrics.daylit import daylit_hours
+    from clerestory.metrics.glare_prone_hours import glare_prone_hours
+    from clerestory.metrics.lighting_energy import ElectricLighting, lighting_energy
+    from clerestory.metrics.schedule import Schedule, occupied_hours
+    from clerestory.metrics.spatial_daylight_autonomy import spatial_daylight_autonomy
+    from clerestory.metrics.useful_daylight_illuminance import useful_daylight_illuminance
+    from clerestory.metrics.useful_depth import distance_from_window_wall, useful_depth
     from clerestory.panels import ExtrudedPanel, LaserCutPanel, Pane, Panel, PrismaticPanel, panel_from_dict, read_panel
     from clerestory.profile import Facet, Profile, read_profile
     from clerestory.room import (
@@ -57,6 +71,7 @@ __all__ = [
     "ClerestoryError",
     "Comparison",
     "Dispersion",
+    "ElectricLighting",
     "ExtrudedPanel",
     "Face",
     "Facet",
@@ -82,6 +97,7 @@ __all__ = [
     "PrismaticPanel",
     "Profile",
     "Room",
+    "Schedule",
     "SensorGrid",
     "SensorWarning",
     "Sensors",
@@ -94,15 +110,27 @@ __all__ = [
     "Weather",
     "Window",
     "__version__",
+    "annual_light_exposure",
+    "annual_sunlight_exposure",
+    "annual_uniformity",
     "average_by_group",
+    "blinds_closed",
     "compare",
+    "continuous_daylight_autonomy",
+    "daylight_autonomy",
     "daylight_coefficients",
     "daylight_factor",
+    "daylight_provision",
+    "daylit_hours",
     "direct_normal_illuminance_lx",
+    "distance_from_window_wall",
+    "glare_prone_hours",
     "illuminance",
+    "lighting_energy",
     "measured_glass",
     "medium_names",
     "medium_of_pane",
+    "occupied_hours",
     "panel_from_dict",
     "read_epw",
     "read_measured",
@@ -114,10 +142,14 @@ __all__ = [
     "read_wea",
     "save",
     "sky_basis",
+    "spatial_daylight_autonomy",
     "sun_coefficients",
     "sun_illuminance",
     "sun_position",
     "uniformity",
+    "useful_daylight_illuminance",
+    "useful_depth",
+    "with_blinds",
     "write_room",
 ]
 
@@ -153,6 +185,24 @@ _PLACES = {
     "medium_names": "clerestory.medium",
     "AbsorptionSpectrum": "clerestory.medium_laws",
     "Dispersion": "clerestory.medium_laws",
+    "ElectricLighting": "clerestory.metrics.lighting_energy",
+    "Schedule": "clerestory.metrics.schedule",
+    "annual_light_exposure": "clerestory.metrics.annual_light_exposure",
+    "annual_sunlight_exposure": "clerestory.metrics.annual_sunlight_exposure",
+    "annual_uniformity": "clerestory.metrics.annual_uniformity",
+    "blinds_closed": "clerestory.metrics.blinds",
+    "continuous_daylight_autonomy": "clerestory.metrics.continuous_daylight_autonomy",
+    "daylight_autonomy": "clerestory.metrics.daylight_autonomy",
+    "daylight_provision": "clerestory.metrics.daylight_provision",
+    "daylit_hours": "clerestory.metrics.daylit",
+    "distance_from_window_wall": "clerestory.metrics.useful_depth",
+    "glare_prone_hours": "clerestory.metrics.glare_prone_hours",
+    "lighting_energy": "clerestory.metrics.lighting_energy",
+    "occupied_hours": "clerestory.metrics.schedule",
+    "spatial_daylight_autonomy": "clerestory.metrics.spatial_daylight_autonomy",
+    "useful_daylight_illuminance": "clerestory.metrics.useful_daylight_illuminance",
+    "useful_depth": "clerestory.metrics.useful_depth",
+    "with_blinds": "clerestory.metrics.blinds",
     "ExtrudedPanel": "clerestory.panels",
     "LaserCutPanel": "clerestory.panels",
     "Pane": "clerestory.panels",
