@@ -135,6 +135,53 @@ pub enum OpticsError {
         /// Reflectance at normal incidence.
         reflectance: f64,
     },
+    /// A value no BSDF has.
+    #[error(
+        "values of a BSDF must be finite and 0 or more, got {value} ({place}); correct it, or set noise below 0 to 0"
+    )]
+    BsdfValue {
+        /// Where it stands.
+        place: String,
+        /// What was found [1/sr].
+        value: f64,
+    },
+    /// A table of the wrong size.
+    #[error(
+        "values of a BSDF must be {rows} outgoing by {columns} incident patches, got {got} in all; name the bases they belong to"
+    )]
+    BsdfShape {
+        /// Outgoing patches.
+        rows: usize,
+        /// Incident patches.
+        columns: usize,
+        /// Values found.
+        got: usize,
+    },
+    /// A block that gives more light than it gets.
+    #[error(
+        "{block} must send out no more than 1.01 of the light of any direction, got {sum:.4}; values are 1/sr, \
+         not multiplied by cosine or solid angle"
+    )]
+    BsdfGains {
+        /// Its name.
+        block: String,
+        /// The greatest share.
+        sum: f64,
+    },
+    /// A tree of another kind.
+    #[error("rank must be 3 (the same turned about its normal) or 4, got {rank}")]
+    TreeRank {
+        /// What was given.
+        rank: usize,
+    },
+    /// A walk of a tree that is no tree.
+    #[error("the preorder walk of a tensor tree must {rule}, which fails at place {at}; check the file it comes from")]
+    TreeLength {
+        /// What it must do.
+        rule: &'static str,
+        /// How far the walk makes sense.
+        at: usize,
+    },
 }
 
 /// " at 550 nm", or nothing.

@@ -3,6 +3,7 @@
 
 #![warn(clippy::unwrap_used, clippy::expect_used)]
 
+mod bsdf;
 mod error;
 pub mod formulas;
 mod glazing;
@@ -10,6 +11,7 @@ mod interface;
 mod medium;
 mod stokes;
 
+pub use bsdf::{Block, Blocks, Bsdf, Matrix, Tree, TreeWriter};
 pub use error::OpticsError;
 pub use glazing::{ClearGlazing, Glazing, Lobe, Lobes, Scattered, Side, Stack, Straight};
 pub use interface::{Interface, Split, mirror, refract};
