@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_4;
 
 /// The place in the unit square of a point of the unit disk. Equal areas stay equal, circles become squares, and the axes stay axes.
 ///
-/// P. Shirley, K. Chiu, *Journal of Graphics Tools* 2(3), 1997 (theory/bsdf_averaging.md, eq. 3).
+/// P. Shirley, K. Chiu, *Journal of Graphics Tools* 2(3), 1997 (theory/bsdf_averaging.md, eq. 2).
 pub fn disk_to_square(x: f64, y: f64) -> [f64; 2] {
     let r = x.hypot(y).min(1.0);
     // one of four wedges; across it the place along the side of the square is the angle as a share of the wedge

@@ -28,7 +28,7 @@ const QUARTER: [(f64, usize); 5] = [(0.0, 1), (9.0, 8), (27.0, 12), (45.0, 12), 
 /// The directions of one side cut into patches.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KlemsBasis {
-    name: &'static str,
+    name: String,
     rings: Vec<KlemsRing>,
     /// Index of the first patch of each ring, then the number of patches.
     first: Vec<usize>,
@@ -44,21 +44,33 @@ impl KlemsBasis {
     pub fn named(name: &str) -> Option<Self> {
         let place = Self::NAMES.iter().position(|known| *known == name)?;
         let table = [&FULL[..], &HALF, &QUARTER][place];
-        let low = |i: usize| table.get(i).map_or(FRAC_PI_2, |(degrees, _)| degrees.to_radians());
-        let ring = |i: usize| KlemsRing { theta_low: low(i), theta_high: low(i + 1), count: table[i].1 };
+        let (low, counts): (Vec<f64>, Vec<usize>) = table.iter().map(|&(degrees, count)| (degrees, count)).unzip();
+        Self::of_rings(name, &low, &counts)
+    }
+
+    /// A basis of another's making, from the least angle from the normal of each ring \[degrees\] and its number of patches.
+    /// `None` unless the angles rise from 0 and end below 90, each with at least one patch.
+    pub fn of_rings(name: &str, low_deg: &[f64], counts: &[usize]) -> Option<Self> {
+        let rises = low_deg.windows(2).all(|pair| pair[0] < pair[1]);
+        let ends = low_deg.first() == Some(&0.0) && low_deg.last().is_some_and(|&last| last < 90.0);
+        if !(rises && ends) || counts.len() != low_deg.len() || counts.contains(&0) {
+            return None;
+        }
+        let low = |i: usize| low_deg.get(i).map_or(FRAC_PI_2, |degrees| degrees.to_radians());
+        let ring = |i: usize| KlemsRing { theta_low: low(i), theta_high: low(i + 1), count: counts[i] };
         let mut first = vec![0];
-        for (_, count) in table {
+        for count in counts {
             first.push(first[first.len() - 1] + count);
         }
         // written out at the plane itself, so that the patches fill the half space exactly
-        let mut sine2_low: Vec<f64> = (0..table.len()).map(|i| low(i).sin().powi(2)).collect();
+        let mut sine2_low: Vec<f64> = (0..counts.len()).map(|i| low(i).sin().powi(2)).collect();
         sine2_low.push(1.0);
-        Some(Self { name: Self::NAMES[place], rings: (0..table.len()).map(ring).collect(), first, sine2_low })
+        Some(Self { name: name.to_owned(), rings: (0..counts.len()).map(ring).collect(), first, sine2_low })
     }
 
     /// Its name.
-    pub fn name(&self) -> &'static str {
-        self.name
+    pub fn name(&self) -> &str {
+        &self.name
     }
 
     /// Its rings, from the normal outwards.
@@ -75,7 +87,7 @@ impl KlemsBasis {
     #[inline]
     pub fn find(&self, x: f64, y: f64) -> usize {
         let sine2 = x * x + y * y;
-        let ring = self.sine2_low[1..self.rings.len()].iter().filter(|&&low| low <= sine2).count();
+        let ring = self.sine2_low[1..self.rings.len()].partition_point(|&low| low <= sine2);
         let count = self.rings[ring].count;
         if count == 1 {
             return self.first[ring];
@@ -128,14 +140,14 @@ impl KlemsBasis {
         [sine * phi.cos(), sine * phi.sin()]
     }
 
-    /// The patch of (−x, −y).
+    /// The patch of (−x, −y); of even rings and caps alone.
     pub fn turned(&self, index: usize) -> usize {
         let ring = self.ring_of(index);
         let count = self.rings[ring].count;
         self.first[ring] + (index - self.first[ring] + count / 2) % count
     }
 
-    /// The patch of (−x, y).
+    /// The patch of (−x, y); of even rings and caps alone.
     pub fn mirrored_in_x(&self, index: usize) -> usize {
         let ring = self.ring_of(index);
         let count = self.rings[ring].count;
@@ -169,6 +181,9 @@ mod tests {
             assert!((projected - PI).abs() < 1e-13 && (solid - TAU).abs() < 1e-13, "{}", basis.name());
         }
         assert!(KlemsBasis::named("klems").is_none());
+        for (low, counts) in [(&[0.0, 95.0][..], &[1, 8][..]), (&[5.0], &[1]), (&[0.0, 5.0], &[1]), (&[0.0], &[0])] {
+            assert!(KlemsBasis::of_rings("own", low, counts).is_none());
+        }
     }
 
     /// LBNL's numbering: the first patch of a ring on +x, then counter-clockwise, the cap first of all.

@@ -1,9 +1,11 @@
 //! What fills a window, for Python: plain glazing by formula, and whatever else walks through the one door.
 
 use crate::arrays::directions;
+use crate::bsdf::{self, BasisOrName};
 use crate::errors::{self, mistake};
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray2, ndarray::Array2};
-use optics::{ClearGlazing, Glazing, Lobes, Stack};
+use hemisphere::Rng;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, ndarray::Array2};
+use optics::{ClearGlazing, Glazing, Lobes, Scattered, Stack};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -52,6 +54,91 @@ impl PyGlazing {
     fn stack(layers: Vec<PyRef<'_, PyGlazing>>) -> PyResult<Self> {
         let layers = layers.iter().map(|layer| layer.0.clone()).collect();
         Stack::new(layers).map(|stack| Self(Arc::new(stack))).map_err(errors::optics)
+    }
+
+    /// A BSDF of Klems matrices [1/sr], each (outgoing, incident); a missing one sends out nothing.
+    #[staticmethod]
+    #[pyo3(signature = (incident_basis, outgoing_basis, transmission_front, transmission_back, reflection_front, reflection_back))]
+    fn bsdf_matrix(
+        py: Python<'_>,
+        incident_basis: BasisOrName<'_>,
+        outgoing_basis: BasisOrName<'_>,
+        transmission_front: Option<PyReadonlyArray2<'_, f64>>,
+        transmission_back: Option<PyReadonlyArray2<'_, f64>>,
+        reflection_front: Option<PyReadonlyArray2<'_, f64>>,
+        reflection_back: Option<PyReadonlyArray2<'_, f64>>,
+    ) -> PyResult<Self> {
+        let blocks = [transmission_front, transmission_back, reflection_front, reflection_back];
+        bsdf::of_matrices(py, &incident_basis, &outgoing_basis, blocks)
+    }
+
+    /// A BSDF of tensor trees of this rank, each by its preorder walk; a missing one sends out nothing.
+    #[staticmethod]
+    #[pyo3(signature = (rank, transmission_front, transmission_back, reflection_front, reflection_back))]
+    fn bsdf_tree(
+        py: Python<'_>,
+        rank: usize,
+        transmission_front: Option<PyReadonlyArray1<'_, f64>>,
+        transmission_back: Option<PyReadonlyArray1<'_, f64>>,
+        reflection_front: Option<PyReadonlyArray1<'_, f64>>,
+        reflection_back: Option<PyReadonlyArray1<'_, f64>>,
+    ) -> PyResult<Self> {
+        let blocks = [transmission_front, transmission_back, reflection_front, reflection_back];
+        bsdf::of_trees(py, rank, blocks)
+    }
+
+    /// Whether light leaves other than in beams.
+    #[getter]
+    fn spreads(&self) -> bool {
+        self.0.spreads()
+    }
+
+    /// The part that is not specular [1/sr], for each pair of directions in which light arrives and leaves, (n,).
+    fn bsdf<'py>(
+        &self,
+        py: Python<'py>,
+        incident: PyReadonlyArray2<'_, f64>,
+        outgoing: PyReadonlyArray2<'_, f64>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let (incident, outgoing) = (directions("incident", &incident)?, directions("outgoing", &outgoing)?);
+        if incident.len() != outgoing.len() {
+            let (incident, outgoing) = (incident.len(), outgoing.len());
+            return Err(mistake(format!(
+                "outgoing must be as many directions as incident, {incident}; got {outgoing}"
+            )));
+        }
+        let values = py.detach(|| incident.iter().zip(outgoing).map(|(i, o)| self.0.bsdf(*i, o)).collect::<Vec<_>>());
+        Ok(values.into_pyarray(py))
+    }
+
+    /// Share of the light from each direction that leaves spread, (n,).
+    fn spread<'py>(&self, py: Python<'py>, incident: PyReadonlyArray2<'_, f64>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let incident = directions("incident", &incident)?;
+        let mut lobes = Lobes::default();
+        let share = |i: &_| {
+            self.0.lobes(*i, &mut lobes);
+            lobes.spread
+        };
+        Ok(py.detach(|| incident.iter().map(share).collect::<Vec<_>>()).into_pyarray(py))
+    }
+
+    /// One direction drawn for each incident one in proportion to power, (n, 3); rows of NaN where the light is absorbed.
+    fn scatter<'py>(
+        &self,
+        py: Python<'py>,
+        incident: PyReadonlyArray2<'_, f64>,
+        seed: u64,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let incident = directions("incident", &incident)?;
+        let draw = |(stream, &i): (usize, &_)| {
+            let mut rng = Rng::new(seed, stream as u64);
+            match self.0.scatter(i, std::array::from_fn(|_| rng.uniform())) {
+                Scattered::Leaves { direction, .. } => direction.to_array(),
+                Scattered::Absorbed => [f64::NAN; 3],
+            }
+        };
+        let drawn: Vec<_> = py.detach(|| incident.iter().enumerate().map(draw).collect());
+        Ok(Array2::from_shape_fn((drawn.len(), 3), |(i, k)| drawn[i][k]).into_pyarray(py))
     }
 
     /// Directions (lobe, 3), powers and total reflections (lobe,), absorbed and residual, of light from one direction in the

@@ -3,6 +3,7 @@
 #![warn(clippy::unwrap_used, clippy::expect_used)]
 
 mod arrays;
+mod bsdf;
 mod errors;
 mod glazing;
 mod optics;
@@ -19,6 +20,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     optics::register(module)?;
     panel::register(module)?;
     glazing::register(module)?;
+    bsdf::register(module)?;
     sky::register(module)?;
     room::register(module)?;
     Ok(())

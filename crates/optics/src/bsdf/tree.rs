@@ -14,7 +14,7 @@ use std::{f64::consts::PI, sync::OnceLock};
 ///
 /// Rank 4: the coordinates are those of incident (x, y) and of outgoing (x, y), each pair from the disk to the unit square.
 /// Rank 3, for elements that are the same turned about their normal: (1 − r)/2 of the incident radius r, and the outgoing pair
-/// turned by the incident azimuth (theory/bsdf_averaging.md, eq. 3 and 4). Bit k of a child's number says in which half of coordinate k it
+/// turned by the incident azimuth (theory/bsdf_averaging.md, eqs. 3 and 4). Bit k of a child's number says in which half of coordinate k it
 /// lies.
 #[derive(Debug)]
 pub struct Tree {
