@@ -9,6 +9,7 @@ from clerestory._native import __version__
 
 if TYPE_CHECKING:
     from clerestory.bsdf import Band, Bsdf, KlemsBlock, TreeBlock
+    from clerestory.bsdf.xml_read import read_bsdf
     from clerestory.coefficients import SensorWarning, daylight_coefficients
     from clerestory.compare import Comparison, compare
     from clerestory.drawing.line import Face, Outline
@@ -132,6 +133,7 @@ __all__ = [
     "medium_of_pane",
     "occupied_hours",
     "panel_from_dict",
+    "read_bsdf",
     "read_epw",
     "read_measured",
     "read_meshes",
@@ -159,6 +161,7 @@ _PLACES = {
     "Bsdf": "clerestory.bsdf",
     "KlemsBlock": "clerestory.bsdf",
     "TreeBlock": "clerestory.bsdf",
+    "read_bsdf": "clerestory.bsdf.xml_read",
     "SensorWarning": "clerestory.coefficients",
     "daylight_coefficients": "clerestory.coefficients",
     "Comparison": "clerestory.compare",

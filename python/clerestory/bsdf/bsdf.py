@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from clerestory.bsdf.band import Band
 from clerestory.errors import ClerestoryError
 from clerestory.glazing import Glazing, check_glazing
 from clerestory.rules import positive
+
+if TYPE_CHECKING:
+    import os
+    from pathlib import Path
 
 BANDS = ("visible", "solar", "x", "z")
 """Names of the bands of a BSDF."""
@@ -71,3 +75,35 @@ class Bsdf:
     def bands(self) -> Iterator[tuple[str, Band]]:
         """Name and band of those that are known."""
         return ((name, getattr(self, name)) for name in BANDS if getattr(self, name) is not None)
+
+    def to_xml(self, path: str | os.PathLike[str]) -> Path:
+        """Writes the BSDF as LBNL's XML (BSDF-v1.4), which Radiance and WINDOW read; whole or not at all.
+
+        Parameters
+        ----------
+        path : path
+            ``.xml``.
+
+        Returns
+        -------
+        Path
+            Of the file: all four directions of the visible and the solar band, and of CIE X and Z if they are known.
+            Values in 1/sr; a line for each outgoing patch; Front is the outside. What is made up (a missing direction
+            by reciprocity or as zero, a missing solar band by the visible one) is told as a
+            :class:`~clerestory.bsdf.BsdfWarning`.
+
+        Raises
+        ------
+        ClerestoryError
+            If the thickness is unknown, the bands are of different kinds, or the file cannot be written.
+        """
+        from clerestory.bsdf.xml_write import write_xml
+
+        return write_xml(self, path)
+
+    @classmethod
+    def from_xml(cls, path: str | os.PathLike[str], *, strict: bool = True) -> Bsdf:
+        """The BSDF of an XML file; arguments, result and errors as of :func:`clerestory.read_bsdf`."""
+        from clerestory.bsdf.xml_read import read_bsdf
+
+        return read_bsdf(path, strict=strict)

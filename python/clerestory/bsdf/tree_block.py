@@ -112,8 +112,8 @@ class TreeBlock:
         return Leaves(corner[leaf], np.asarray(0.5 ** depth[leaf], dtype=np.float64), self.preorder[leaf])
 
     @cached_property
-    def _children(self) -> npt.NDArray[np.int64]:
-        """Children of each inner node, shape (inner, 2**rank), and -1 - leaf for the rest by the walk's numbers."""
+    def children(self) -> npt.NDArray[np.int64]:
+        """Entries of the children of each inner node, in the order of the walk, shape (inner, 2**rank)."""
         _, number, parent = self._walk
         inner = np.cumsum(np.isnan(self.preorder)) - 1
         table = np.zeros((int(np.isnan(self.preorder).sum()), 2**self.rank), dtype=np.int64)
@@ -132,7 +132,7 @@ class TreeBlock:
             half = (within >= 1.0).astype(np.int64)
             within = within - half
             child = (half << np.arange(self.rank)).sum(axis=1)
-            node[going] = self._children[inner[node[going]], child[going]]
+            node[going] = self.children[inner[node[going]], child[going]]
         return np.asarray(self.preorder[node].reshape(shape))
 
     def at(self, incident: npt.ArrayLike, outgoing: npt.ArrayLike) -> Floats:
@@ -191,3 +191,12 @@ class TreeBlock:
         edges = np.linspace(0.0, 0.5, len(grid) + 1)
         sine2 = (1.0 - 2.0 * edges) ** 2
         return float(grid @ (sine2[:-1] - sine2[1:]))
+
+    def reversed(self) -> TreeBlock:
+        """The block for light that goes the other way along the same paths (theory/bsdf.md, eq. 5).
+
+        Exact for rank 4; a tree of rank 3 is evaluated on a grid of 2⁵ cells a side.
+        """
+        from clerestory.bsdf.tree_turning import turned_round
+
+        return TreeBlock(self.rank, turned_round(self))

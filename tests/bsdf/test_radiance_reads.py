@@ -1,0 +1,53 @@
+"""Radiance's own library reads our XML and finds the same numbers at the same directions, on the same side."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.bsdf.ask_radiance import ask
+from tests.bsdf.elements import uneven_bsdf, uneven_tree_bsdf
+
+from clerestory import Bsdf
+from clerestory.bsdf import KLEMS_BASES
+
+pytest.importorskip("pyradiance")
+
+#: Radiance counts polar angles from its front, the room side: light from outside comes from below its horizon.
+SIDES = {
+    "transmission_front": ("outside", "room"),
+    "transmission_back": ("room", "outside"),
+    "reflection_front": ("outside", "outside"),
+    "reflection_back": ("room", "room"),
+}
+
+
+def toward(theta: float, phi: float, place: str) -> tuple[list[float], np.ndarray]:
+    """Radiance's polar angles of a vector that points from the element to a place, and its (x, y)."""
+    sine = np.sin(np.radians(theta))
+    xy = sine * np.array([np.cos(np.radians(phi)), np.sin(np.radians(phi))])
+    return [theta if place == "room" else 180.0 - theta, phi], xy
+
+
+def element(kind: str) -> Bsdf:
+    return uneven_tree_bsdf(int(kind[-1])) if kind.startswith("tree") else uneven_bsdf(kind)
+
+
+@pytest.mark.parametrize("kind", [*KLEMS_BASES, "tree3", "tree4"])
+def test_values_and_shares_are_found_where_they_were_put(kind: str, tmp_path: Path) -> None:
+    bsdf = element(kind)
+    rng = np.random.default_rng(4)
+    queries, values, hemispheres, shares = [], [], [], []
+    for direction, block in bsdf.visible:
+        source, target = SIDES[direction]
+        for _ in range(60):
+            theta, phi = np.degrees(np.arccos(np.sqrt(rng.random(2)))), 360.0 * rng.random(2)
+            into, come = toward(theta[0], phi[0], source)
+            out, gone = toward(theta[1], phi[1], target)
+            queries.append([*into, *out])
+            values.append(float(block.at(-come, gone)))
+            hemispheres.append([*into, int(direction.startswith("transmission"))])
+            shares.append(float(block.hemispherical_at(-come)))
+    found_values, found_shares = ask(bsdf.to_xml(tmp_path / "panel.xml"), queries, hemispheres)
+    # Radiance shifts each value by up to 3e-4 of itself, to make cells visible in pictures
+    assert found_values == pytest.approx(np.array(values), rel=5e-4, abs=1e-7)
+    assert found_shares == pytest.approx(np.array(shares), abs=1e-4)
