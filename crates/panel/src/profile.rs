@@ -4,7 +4,7 @@ use crate::{
     error::{PanelError, positive},
     facet::{Facet, MediumId, Surface},
     plane::Vec2,
-    topology::{HalfEdge, Topology, medium},
+    topology::{HalfEdge, Outside, Topology, medium},
 };
 
 /// A checked cross-section that repeats every `period` upwards. Lengths may be in any unit: only ratios count,
@@ -32,7 +32,7 @@ impl Profile {
             check_facet(i + 1, f, period)?;
         }
         check_crossings(&facets, period)?;
-        let topology = Topology::of(&facets, period)?;
+        Topology::check(&facets, period)?;
         let (mut z_min, mut z_max) = (f64::INFINITY, f64::NEG_INFINITY);
         for f in &facets {
             let (low, high) = f.z_range();
@@ -40,6 +40,7 @@ impl Profile {
         }
         let front = outside(&facets, period, "front")?;
         let back = outside(&facets, period, "back")?;
+        let topology = Topology::of(&facets, period, Outside { front, back });
         Ok(Self { facets, period, z_min, z_max, front, back, topology })
     }
 

@@ -214,3 +214,26 @@ fn threads_change_nothing() {
     assert_eq!(on(1), on(3));
     assert_ne!(on(1), estimate_shares(panel.walks(), incident, 10_000, 6));
 }
+
+/// A kerf is closed by mouths: every facet of a panel cut through looks into a closed region on both hands but for its
+/// outermost faces, which look into the open.
+#[test]
+fn cuts_with_a_width_are_closed_by_mouths() {
+    let cut = LaserCut { cut_width: 0.3, cut_tilt_deg: vec![10.0], ..LaserCut::ideal(4.0, 6.0) };
+    let profile = cut.profile().expect("it can be cut");
+    let topology = profile.topology();
+    assert_eq!(topology.mouths().len(), 2);
+    let hands = (0..profile.facets().len()).flat_map(|f| [::panel::HalfEdge::left(f), ::panel::HalfEdge::right(f)]);
+    let open = hands.filter(|&h| topology.region(h).is_none()).count();
+    assert_eq!(open, 2, "the two faces alone look into the open");
+}
+
+/// Light that runs almost along the sheet within a bar of acrylic meets the next cut and is not given up: tilted kerfs at 65°.
+#[test]
+fn light_along_the_sheet_is_followed_inside_a_bar() {
+    let cut = LaserCut { cut_width: 0.3, cut_tilt_deg: vec![10.0], ..LaserCut::ideal(4.0, 6.0) };
+    let one = panel(cut.profile().expect("it can be cut"), 1.49, 0.0, Polarisation::Resolved, 1e-6);
+    let incident = incident_direction(65.0_f64.to_radians(), 0.0, Side::Front);
+    let shares = one.shares(incident, &mut Workspace::default()).expect("it is smooth");
+    assert!(shares.residual < 1e-6, "{}", shares.residual);
+}

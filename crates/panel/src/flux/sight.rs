@@ -1,6 +1,11 @@
 //! What a facet sees in one direction: which facets its light goes to next, and how far.
 
-use crate::{facet::MediumId, plane::Vec2, profile::Profile, topology::HalfEdge};
+use crate::{
+    facet::{Facet, MediumId},
+    plane::Vec2,
+    profile::Profile,
+    topology::HalfEdge,
+};
 
 /// Where light goes next.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,7 +71,10 @@ pub fn look(profile: &Profile, source: Source, d: Vec2, out: &mut Vec<Sight>) {
     match source.hand.and_then(|h| profile.topology().region(h)) {
         Some((border, own)) => {
             for &(h, shift) in border {
-                view.consider(profile, h.facet(), Some(h), shift - own, out);
+                match profile.topology().mouth(h) {
+                    Some(mouth) => view.consider_mouth(mouth, h, shift - own, out),
+                    None => view.consider(profile, h.facet(), Some(h), shift - own, out),
+                }
             }
         }
         None => look_through_copies(profile, &view, out),
@@ -93,9 +101,14 @@ fn look_through_copies(profile: &Profile, view: &View, out: &mut Vec<Sight>) {
     let source_near = view.along.0.min(view.along.0 + view.along.1);
     let in_order: Box<dyn Iterator<Item = i64>> =
         if view.d.y >= 0.0 { Box::new(first..=last) } else { Box::new((first..=last).rev()) };
-    for k in in_order.take(MOST_COPIES as usize) {
+    let is_behind = |k: i64| far + k as f64 * rise < source_near - 1e-9 * view.period;
+    // copies come in the order of their distance: those behind the source come first
+    let behind = if rise == 0.0 { 0.0 } else { ((source_near - 1e-9 * view.period - far) / rise.abs()).floor() };
+    let nearest = if view.d.y >= 0.0 { first } else { -last };
+    let skipped = (behind - nearest as f64).clamp(0.0, 1e9) as usize;
+    for k in in_order.skip(skipped).take(MOST_COPIES as usize) {
         let shift = k as f64 * rise;
-        if far + shift < source_near - 1e-9 * view.period {
+        if is_behind(k) {
             continue;
         }
         // covered by something nearer than all that is still to come
@@ -189,26 +202,45 @@ impl View {
 
     /// Puts a facet `copy` periods up into the picture, wherever it is the nearest so far.
     fn consider(&self, profile: &Profile, facet: usize, hand: Option<HalfEdge>, copy: i32, out: &mut Vec<Sight>) {
-        let f = &profile.facets()[facet];
-        let dy = f64::from(copy) * self.period;
-        let (a, b) = (f.start.raised(dy), f.end.raised(dy));
-        let (across_a, across_b) = (self.d.cross(a), self.d.cross(b));
-        let span = across_b - across_a;
-        // light that crosses from left to right meets the left hand
-        let facing = if span > 0.0 { HalfEdge::left(facet) } else { HalfEdge::right(facet) };
+        let is_itself = copy == 0 && self.source.hand.is_some_and(|h| h.facet() == facet);
+        let Some((sight, is_left)) = (!is_itself).then(|| self.towards(&profile.facets()[facet], copy)).flatten()
+        else {
+            return;
+        };
+        let facing = if is_left { HalfEdge::left(facet) } else { HalfEdge::right(facet) };
         let is_seen = match hand {
             Some(h) => h == facing,
             None => profile.medium(facing) == self.source.medium,
         };
-        let is_itself = copy == 0 && self.source.hand.is_some_and(|h| h.facet() == facet);
-        if !is_seen || span.abs() <= SLIVER * self.period || is_itself {
-            return;
+        if is_seen {
+            insert(Sight { target: Target::Facet(facing, copy), ..sight }, out);
+        }
+    }
+
+    /// The same for a mouth: light that meets it from inside has left.
+    fn consider_mouth(&self, mouth: &Facet, hand: HalfEdge, copy: i32, out: &mut Vec<Sight>) {
+        if let Some((sight, is_left)) = self.towards(mouth, copy) {
+            if is_left == hand.is_left() {
+                insert(sight, out);
+            }
+        }
+    }
+
+    /// The stretch whose light comes upon a facet `copy` periods up, as if nothing were in the way, and whether upon its
+    /// left hand.
+    fn towards(&self, f: &Facet, copy: i32) -> Option<(Sight, bool)> {
+        let dy = f64::from(copy) * self.period;
+        let (a, b) = (f.start.raised(dy), f.end.raised(dy));
+        let (across_a, across_b) = (self.d.cross(a), self.d.cross(b));
+        let span = across_b - across_a;
+        if span.abs() <= SLIVER * self.period {
+            return None;
         }
         // where on the source the rays start that meet its two ends
         let (s_a, s_b) = ((across_a - self.across) / self.width, (across_b - self.across) / self.width);
         let (start, end) = (s_a.min(s_b).max(0.0), s_a.max(s_b).min(1.0));
         if end - start <= SLIVER {
-            return;
+            return None;
         }
         // place on the facet and depth of the facet are linear along the source
         let place = ((self.across - across_a) / span, self.width / span);
@@ -217,9 +249,10 @@ impl View {
         let distance = (depth.0 - self.along.0, depth.1 - self.along.1);
         let middle = 0.5 * (start + end);
         if distance.0 + distance.1 * middle < -1e-11 * self.period {
-            return;
+            return None;
         }
-        insert(Sight { start, end, target: Target::Facet(facing, copy), place, distance }, out);
+        // light that crosses from left to right meets the left hand
+        Some((Sight { start, end, target: Target::Outside, place, distance }, span > 0.0))
     }
 }
 

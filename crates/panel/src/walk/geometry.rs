@@ -4,7 +4,7 @@ use crate::{
     facet::Facet,
     plane::Vec2,
     profile::Profile,
-    topology::{HalfEdge, Placed},
+    topology::{HalfEdge, Placed, medium},
 };
 use hemisphere::Vec3;
 
@@ -50,9 +50,12 @@ pub struct Geometry {
     borders: Vec<(HalfEdge, i32, Edge)>,
     /// Hands that lie in the outermost plane of the sheet and look away from it.
     outermost: Vec<bool>,
-    /// Those hands at the front and at the back, with the heights they span: light from the open meets them at once.
+    /// Those hands at the front and at the back, with the heights they span: light from the open meets them at once. Of a
+    /// mouth it is the hand that looks in: light goes on from there.
     doors: [Vec<(f64, f64, HalfEdge)>; 2],
     media: Vec<u8>,
+    /// Hands of facets; those of mouths come after them.
+    hands: u32,
     period: f64,
     z: (f64, f64),
     y: (f64, f64),
@@ -77,14 +80,16 @@ impl Geometry {
     /// Prepares a profile.
     pub fn of(profile: &Profile) -> Self {
         let hands = 2 * profile.facets().len() as u32;
-        let edges: Vec<Edge> = (0..hands).map(|h| Edge::of(profile.facets(), HalfEdge(h))).collect();
+        let all: Vec<Facet> = profile.facets().iter().chain(profile.topology().mouths()).copied().collect();
+        let edges: Vec<Edge> = (0..2 * all.len() as u32).map(|h| Edge::of(&all, HalfEdge(h))).collect();
         let (z, period) = (profile.z_range(), profile.period());
         let mut geometry = Self {
             surroundings: vec![Surroundings::Open; edges.len()],
             borders: Vec::new(),
             outermost: edges.iter().map(|e| e.is_outermost(z)).collect(),
-            doors: [doors(&edges, z, true), doors(&edges, z, false)],
-            media: (0..hands).map(|h| profile.medium(HalfEdge(h))).collect(),
+            doors: [doors(&edges, hands, z, true), doors(&edges, hands, z, false)],
+            media: (0..2 * all.len() as u32).map(|h| medium(&all, HalfEdge(h))).collect(),
+            hands,
             period,
             z,
             y: profile
@@ -95,7 +100,7 @@ impl Geometry {
             outside: (profile.front(), profile.back()),
             edges,
         };
-        for hand in (0..hands).map(HalfEdge) {
+        for hand in (0..2 * all.len() as u32).map(HalfEdge) {
             if let Some((border, own)) = profile.topology().region(hand) {
                 geometry.surroundings[hand.0 as usize] = geometry.enclose(border, own);
             }
@@ -131,7 +136,8 @@ impl Geometry {
         for &(low, high, hand) in &self.doors[usize::from(!from_front)] {
             let y = at.y + ((low - at.y) / self.period).ceil() * self.period;
             if y <= high {
-                return Meeting::Facet(hand, Vec2::new(at.z, y), 0.0);
+                let at = Vec2::new(at.z, y);
+                return if hand.0 < self.hands { Meeting::Facet(hand, at, 0.0) } else { self.next(hand, at, v) };
             }
         }
         self.through_copies(None, at, Vec2::new(v.z, v.y))
@@ -180,9 +186,7 @@ impl Geometry {
                         nearest = (t, first as usize + i);
                     }
                 }
-                let (met, shift, _) = self.borders[nearest.1];
-                let t = nearest.0.max(0.0);
-                Meeting::Facet(met, (p + v * t).raised(-f64::from(shift) * self.period), t)
+                self.meeting(nearest.1, nearest.0.max(0.0), p, v)
             }
             Surroundings::Closed { first, last, own } => {
                 let p = from.raised(f64::from(own) * self.period);
@@ -195,16 +199,23 @@ impl Geometry {
                         }
                     }
                 }
-                nearest.map_or(Meeting::Nothing, |(t, i)| {
-                    let (met, shift, _) = self.borders[i];
-                    Meeting::Facet(met, (p + v * t).raised(-f64::from(shift) * self.period), t)
-                })
+                nearest.map_or(Meeting::Nothing, |(t, i)| self.meeting(i, t, p, v))
             }
             Surroundings::Open => {
                 let looks_away = self.outermost[hand.0 as usize];
                 if looks_away { Meeting::Outside } else { self.through_copies(Some(hand), from, v) }
             }
         }
+    }
+
+    /// What is met at border `i` after `t`: outside a mouth is the open.
+    #[inline]
+    fn meeting(&self, i: usize, t: f64, p: Vec2, v: Vec2) -> Meeting {
+        let (met, shift, _) = self.borders[i];
+        if met.0 >= self.hands {
+            return Meeting::Outside;
+        }
+        Meeting::Facet(met, (p + v * t).raised(-f64::from(shift) * self.period), t)
     }
 
     /// Copy after copy in the order in which the ray passes them.
@@ -241,7 +252,7 @@ impl Geometry {
                 continue;
             }
             let p = from.raised(-dy);
-            for (h, edge) in self.edges.iter().enumerate() {
+            for (h, edge) in self.edges[..self.hands as usize].iter().enumerate() {
                 let h = HalfEdge(h as u32);
                 if self.media[h.0 as usize] != medium {
                     continue;
@@ -264,14 +275,17 @@ impl Geometry {
     }
 }
 
-/// The hands in the outermost plane of one side that look out, with their heights.
-fn doors(edges: &[Edge], z: (f64, f64), is_front: bool) -> Vec<(f64, f64, HalfEdge)> {
-    let looks_out = |e: &Edge| e.is_outermost(z) && (e.inward.z < 0.0) == is_front;
+/// The hands in the outermost plane of one side that light from the open meets, with their heights.
+fn doors(edges: &[Edge], hands: u32, z: (f64, f64), is_front: bool) -> Vec<(f64, f64, HalfEdge)> {
+    let is_met = |(i, e): &(usize, &Edge)| {
+        let looks_out = e.is_outermost(z) && (e.inward.z < 0.0) == is_front;
+        if (*i as u32) < hands { looks_out } else { e.is_mouth_of(z, is_front) && (e.inward.z > 0.0) == is_front }
+    };
     let door = |(i, e): (usize, &Edge)| {
         let (a, b) = (e.start.y, e.start.y + e.span.y);
         (a.min(b), a.max(b), HalfEdge(i as u32))
     };
-    edges.iter().enumerate().filter(|(_, e)| looks_out(e)).map(door).collect()
+    edges.iter().enumerate().filter(is_met).map(door).collect()
 }
 
 impl Edge {
@@ -305,6 +319,11 @@ impl Edge {
         let flat = self.arc.is_none() && self.span.z.abs() <= eps;
         flat && ((self.start.z <= z.0 + eps && self.inward.z < 0.0)
             || (self.start.z >= z.1 - eps && self.inward.z > 0.0))
+    }
+
+    /// Whether this hand of a mouth lies in the front or in the back plane.
+    fn is_mouth_of(&self, z: (f64, f64), is_front: bool) -> bool {
+        (self.start.z < 0.5 * (z.0 + z.1)) == is_front
     }
 
     /// How far along `v` from `p` a ray comes upon this hand from inside its region. `is_own`: the ray starts on this facet.
