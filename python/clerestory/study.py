@@ -85,10 +85,15 @@ def read_study(path: str | os.PathLike[str]) -> Study:
     ClerestoryError
         As `read_room`, and for unknown or wrong values in these tables.
     """
-    tables, where = read_toml(path), Path(path).name
-    room = room_of(tables, where=where, folder=Path(path).parent)
+    return study_of(read_toml(path), where=Path(path).name, folder=Path(path).parent)
+
+
+def study_of(tables: Mapping[str, Any], *, where: str = "the study", folder: Path = Path()) -> Study:
+    """The study that the tables of a room file describe; files that they name are looked for in ``folder``."""
+    tables = dict(tables)
+    room = room_of(tables, where=where, folder=folder)
     calculation: Calculation = build(Calculation, Table(tables.get("calculation", {}), f"[calculation] of {where}"))
-    glazing = glazing_tables(Table(tables.get("glazings", {}), f"[glazings] of {where}"), Path(path).parent)
+    glazing = glazing_tables(Table(tables.get("glazings", {}), f"[glazings] of {where}"), folder)
     rooms = {room.name: room}
     for table in Table(tables, where).tables("variant"):
         name = str(table.take("name"))

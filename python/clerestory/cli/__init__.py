@@ -6,6 +6,7 @@ from clerestory.cli.doctor import doctor
 from clerestory.cli.one_line import OneLineGroup
 from clerestory.cli.panel import panel
 from clerestory.cli.room import room
+from clerestory.cli.sweep import sweep
 
 app = typer.Typer(
     cls=OneLineGroup,
@@ -19,6 +20,7 @@ app = typer.Typer(
 )
 app.add_typer(panel, name="panel")
 app.command("room")(room)
+app.command("sweep")(sweep)
 app.command("doctor")(doctor)
 
 __all__ = ["app"]
