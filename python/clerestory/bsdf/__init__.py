@@ -2,9 +2,26 @@
 
 from clerestory.bsdf.band import Band
 from clerestory.bsdf.bsdf import Bsdf
+from clerestory.bsdf.energyplus import EnergyPlusGap, EnergyPlusLayer, energyplus_objects
+from clerestory.bsdf.energyplus_file import write_energyplus
 from clerestory.bsdf.klems import KLEMS_BASES, KlemsBasis, klems_basis
 from clerestory.bsdf.klems_block import KlemsBlock
+from clerestory.bsdf.rebasing import in_basis
 from clerestory.bsdf.told import BsdfWarning
 from clerestory.bsdf.tree_block import TreeBlock
 
-__all__ = ["KLEMS_BASES", "Band", "Bsdf", "BsdfWarning", "KlemsBasis", "KlemsBlock", "TreeBlock", "klems_basis"]
+__all__ = [
+    "KLEMS_BASES",
+    "Band",
+    "Bsdf",
+    "BsdfWarning",
+    "EnergyPlusGap",
+    "EnergyPlusLayer",
+    "KlemsBasis",
+    "KlemsBlock",
+    "TreeBlock",
+    "energyplus_objects",
+    "in_basis",
+    "klems_basis",
+    "write_energyplus",
+]
