@@ -2,6 +2,7 @@
 
 #![warn(clippy::unwrap_used, clippy::expect_used)]
 
+mod all_weather;
 mod basis;
 mod direction;
 mod disk;
@@ -10,6 +11,7 @@ mod klems;
 mod rng;
 mod sobol;
 
+pub use all_weather::{AllWeather, SkyNodes};
 pub use basis::{Order, PatchBounds, Ring, SkyBasis, towards};
 pub use direction::Direction;
 pub use disk::{disk_to_square, square_to_disk};

@@ -179,7 +179,7 @@ def _ends(lines: Lines, numbers: npt.NDArray[np.int64], clock: npt.NDArray[np.in
             "if hours count from 0, add 1 to each",
         )
     if per_hour == 1:
-        return 60.0 * hour
+        return np.asarray(60.0 * hour)
     place = np.zeros(len(hour), dtype=np.int64)
     same = np.concatenate([[False], (np.diff(clock[:, :4], axis=0) == 0).all(axis=1)])
     for row in np.flatnonzero(same):
