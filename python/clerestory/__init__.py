@@ -58,11 +58,18 @@ if TYPE_CHECKING:
     from clerestory.room.toml_text import write_room
     from clerestory.saving import save
     from clerestory.site import Site
-    from clerestory.sky import CieSky, sky_basis
+    from clerestory.sky import CieSky, PerezSky, sky_basis
     from clerestory.sun import sun_position
     from clerestory.sun_coefficients import sun_coefficients
     from clerestory.sunlight import direct_normal_illuminance_lx
-    from clerestory.weather import Weather, read_epw, read_wea
+    from clerestory.weather import (
+        Weather,
+        diffuse_horizontal_illuminance_lx,
+        read_epw,
+        read_wea,
+        sky_matrix,
+        sun_normal_illuminance_lx,
+    )
 
 __all__ = [
     "AbsorptionSpectrum",
@@ -94,6 +101,7 @@ __all__ = [
     "Pane",
     "Panel",
     "Part",
+    "PerezSky",
     "PlainTransmittance",
     "PrismaticPanel",
     "Profile",
@@ -123,6 +131,7 @@ __all__ = [
     "daylight_factor",
     "daylight_provision",
     "daylit_hours",
+    "diffuse_horizontal_illuminance_lx",
     "direct_normal_illuminance_lx",
     "distance_from_window_wall",
     "glare_prone_hours",
@@ -144,9 +153,11 @@ __all__ = [
     "read_wea",
     "save",
     "sky_basis",
+    "sky_matrix",
     "spatial_daylight_autonomy",
     "sun_coefficients",
     "sun_illuminance",
+    "sun_normal_illuminance_lx",
     "sun_position",
     "uniformity",
     "useful_daylight_illuminance",
@@ -237,13 +248,17 @@ _PLACES = {
     "save": "clerestory.saving",
     "Site": "clerestory.site",
     "CieSky": "clerestory.sky",
+    "PerezSky": "clerestory.sky",
     "sky_basis": "clerestory.sky",
     "sun_position": "clerestory.sun",
     "sun_coefficients": "clerestory.sun_coefficients",
     "direct_normal_illuminance_lx": "clerestory.sunlight",
     "Weather": "clerestory.weather",
+    "diffuse_horizontal_illuminance_lx": "clerestory.weather",
     "read_epw": "clerestory.weather",
     "read_wea": "clerestory.weather",
+    "sky_matrix": "clerestory.weather",
+    "sun_normal_illuminance_lx": "clerestory.weather",
 }
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import Any, Literal
 
-from numpy import float64, int64, uint16
+from numpy import float32, float64, int64, uint16
 from numpy.typing import NDArray
 
 __version__: str
@@ -187,6 +187,9 @@ class SkyBasis:
     def order(self, order: str) -> NDArray[int64]: ...
     def find(self, directions: NDArray[float64]) -> NDArray[int64]: ...
     def sample(self, patch: NDArray[int64], u: NDArray[float64]) -> NDArray[float64]: ...
+    def all_weather(
+        self, parameters: NDArray[float64], suns: NDArray[float64], horizontal: NDArray[float64], order: int
+    ) -> NDArray[float32]: ...
     def overcast(self, ground_reflectance: float) -> NDArray[float64]: ...
 
 class Material:

@@ -9,15 +9,16 @@ from clerestory.coefficients import PARTS
 from clerestory.errors import ClerestoryError
 from clerestory.rules import not_negative
 from clerestory.sky.cie_sky import CieSky
+from clerestory.sky.perez_sky import PerezSky
 
 
-def illuminance(coefficients: xr.Dataset, sky: CieSky | xr.DataArray) -> xr.Dataset:
+def illuminance(coefficients: xr.Dataset, sky: CieSky | PerezSky | xr.DataArray) -> xr.Dataset:
     r"""Illuminance at each sensor under a sky, part by part.
 
     Parameters
     ----------
     coefficients : Dataset of `daylight_coefficients`
-    sky : CieSky, or DataArray with dims ("patch", …) [cd/m²]
+    sky : CieSky, PerezSky, or DataArray with dims ("patch", …) [cd/m²]
         Mean luminance of each patch, the ground last; further dimensions such as "time" are kept.
 
     Returns
@@ -48,9 +49,9 @@ def illuminance(coefficients: xr.Dataset, sky: CieSky | xr.DataArray) -> xr.Data
     return result
 
 
-def sky_matrix(coefficients: xr.Dataset, sky: CieSky | xr.DataArray) -> xr.DataArray:
+def sky_matrix(coefficients: xr.Dataset, sky: CieSky | PerezSky | xr.DataArray) -> xr.DataArray:
     """The luminances of a sky, patch by patch as in the coefficients, with the room's own ground."""
-    if isinstance(sky, CieSky):
+    if isinstance(sky, (CieSky, PerezSky)):
         return sky.matrix(
             coefficients.attrs["basis"], ground_reflectance=float(coefficients.attrs["ground_reflectance"])
         )

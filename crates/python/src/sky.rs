@@ -2,7 +2,7 @@
 
 use crate::arrays::vectors;
 use crate::errors::mistake;
-use hemisphere::{Order, SkyBasis};
+use hemisphere::{AllWeather, Order, SkyBasis, SkyNodes, Vec3};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, ndarray::Array2};
 use pyo3::prelude::*;
 
@@ -89,6 +89,43 @@ impl PySkyBasis {
         let drawn: Vec<_> =
             (0..patch.len()).map(|i| self.0.sample(patch[i] as usize, [u[[i, 0]], u[[i, 1]]])).collect();
         Ok(vectors(py, &drawn))
+    }
+
+    /// Mean luminance of each patch under skies of parameters a to e (n, 5) with suns (n, 3) that light a horizontal plane with so
+    /// much (n,), (n, patch). Rows without light are 0, and so is the ground. `order` 0 takes the luminance of the patches' centres.
+    fn all_weather<'py>(
+        &self,
+        py: Python<'py>,
+        parameters: PyReadonlyArray2<'_, f64>,
+        suns: PyReadonlyArray2<'_, f64>,
+        horizontal: PyReadonlyArray1<'_, f64>,
+        order: usize,
+    ) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        let (parameters, suns, horizontal) = (parameters.as_array(), suns.as_array(), horizontal.as_array());
+        crate::arrays::columns("parameters", &parameters, 5)?;
+        crate::arrays::columns("suns", &suns, 3)?;
+        let times = horizontal.len();
+        if parameters.nrows() != times || suns.nrows() != times {
+            return Err(mistake(format!(
+                "parameters and suns must have a row for each of {times} times, got {} and {}",
+                parameters.nrows(),
+                suns.nrows()
+            )));
+        }
+        let found = py.detach(|| {
+            let nodes = SkyNodes::new(&self.0, order);
+            let mut found = Array2::zeros((times, self.0.patches()));
+            for (time, mut row) in found.outer_iter_mut().enumerate().filter(|(time, _)| horizontal[*time] > 0.0) {
+                let p = parameters.row(time);
+                let sky = AllWeather { a: p[0], b: p[1], c: p[2], d: p[3], e: p[4] };
+                let sun = Vec3::new(suns[[time, 0]], suns[[time, 1]], suns[[time, 2]]);
+                if let Some(means) = row.as_slice_mut() {
+                    nodes.patch_means(&sky, sun, horizontal[time], means);
+                }
+            }
+            found
+        });
+        Ok(found.into_pyarray(py))
     }
 
     /// Luminances of the overcast sky over its zenith's, and of ground of this reflectance under it, (patch,).

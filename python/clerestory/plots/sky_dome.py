@@ -13,13 +13,14 @@ from clerestory.errors import ClerestoryError
 from clerestory.plots.style import HAIR, INK, blank, styled
 from clerestory.sky.basis import sky_basis
 from clerestory.sky.cie_sky import CieSky
+from clerestory.sky.perez_sky import PerezSky
 
 _ARC_DEG = 2.0
 """Longest step along a patch's curved edge."""
 
 
 def sky_dome(
-    sky: CieSky | xr.DataArray,
+    sky: CieSky | PerezSky | xr.DataArray,
     *,
     basis: str = "reinhart577",
     sun: tuple[float, float] | None = None,
@@ -29,11 +30,11 @@ def sky_dome(
 
     Parameters
     ----------
-    sky : CieSky, or DataArray with dims ("patch",) and the attribute `basis` [cd/m²]
+    sky : CieSky, PerezSky, or DataArray with dims ("patch",) and the attribute `basis` [cd/m²]
     basis : str, default "reinhart577"
-        For a CieSky.
+        For a CieSky or a PerezSky.
     sun : (altitude_deg, azimuth_deg), optional
-        Default the CieSky's own.
+        Default the sky's own.
     title : str, optional
 
     Returns
@@ -46,8 +47,8 @@ def sky_dome(
     ClerestoryError
         If the luminances do not say their basis or have other patches than it.
     """
-    if isinstance(sky, CieSky):
-        if sun is None and sky.sun_altitude_deg is not None:
+    if isinstance(sky, (CieSky, PerezSky)):
+        if sun is None and sky.sun_altitude_deg is not None and sky.sun_altitude_deg >= 0.0:
             sun = (sky.sun_altitude_deg, sky.sun_azimuth_deg)
         sky = sky.matrix(basis)
     name = sky.attrs.get("basis")

@@ -182,11 +182,11 @@ def _ends(lines: Lines, numbers: npt.NDArray[np.int64], clock: npt.NDArray[np.in
         return np.asarray(60.0 * hour)
     place = np.zeros(len(hour), dtype=np.int64)
     same = np.concatenate([[False], (np.diff(clock[:, :4], axis=0) == 0).all(axis=1)])
-    for row in np.flatnonzero(same):
-        place[row] = place[row - 1] + 1
+    for later in np.flatnonzero(same):
+        place[later] = place[later - 1] + 1
     if place.max() >= per_hour:
-        line = int(numbers[np.argmax(place >= per_hour)])
-        raise lines.wrong(line, f"an hour must have {per_hour} rows, as line DATA PERIODS says, got more")
+        first = int(numbers[np.argmax(place >= per_hour)])
+        raise lines.wrong(first, f"an hour must have {per_hour} rows, as line DATA PERIODS says, got more")
     return np.asarray(60.0 * (hour - 1) + 60.0 * (place + 1) / per_hour)
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import pandas as pd
 import xarray as xr
 
@@ -16,8 +17,10 @@ from clerestory.errors import ClerestoryError
 from clerestory.rules import one_of, positive
 from clerestory.saving import write_text
 from clerestory.site import Site
+from clerestory.sky.perez import DEW_POINT_C, SOLAR_CONSTANT_W_M2
+from clerestory.sky.perez_sky import PerezSky
 from clerestory.sun import sun_position
-from clerestory.weather.columns import ALIASES, DIFFUSE, DIRECT, LIMITS
+from clerestory.weather.columns import ALIASES, DEW_POINT, DIFFUSE, DIRECT, LIMITS
 from clerestory.weather.gaps import filled
 
 
@@ -85,6 +88,40 @@ class Weather:
     def sun(self) -> xr.Dataset:
         """`sun_position` at the middle of each interval; `time` in UTC, `local_time` on the site's clock."""
         return sun_position(self.site, self.frame.index)
+
+    @cached_property
+    def sun_distance_au(self) -> npt.NDArray[np.float64]:
+        """Distance of the sun in the middle of each interval [astronomical units]."""
+        from pvlib import solarposition
+
+        return np.asarray(solarposition.nrel_earthsun_distance(self.frame.index, delta_t=None), dtype=np.float64)
+
+    def sky(self, time: Any) -> PerezSky:
+        """The sky of the interval that a time falls in.
+
+        Parameters
+        ----------
+        time : anything `Site.moments` reads
+            One time, with a zone or on the site's wall clock.
+
+        Raises
+        ------
+        ClerestoryError
+            If no interval holds it.
+        """
+        (moment,) = self.site.moments(time)
+        row = int(self.times.get_indexer(pd.DatetimeIndex([moment]), method="nearest")[0])
+        if abs(self.times[row] - moment) > pd.Timedelta(minutes=0.5 * self.interval_minutes):
+            raise ClerestoryError(f"time must be one of the weather, {self.times[0]} to {self.times[-1]}, got {moment}")
+        table = self.frame.iloc[row]
+        return PerezSky(
+            direct_normal_irradiance_w_m2=float(table[DIRECT]),
+            diffuse_horizontal_irradiance_w_m2=float(table[DIFFUSE]),
+            sun_altitude_deg=float(self.sun.apparent_altitude_deg[row]),
+            sun_azimuth_deg=float(self.sun.azimuth_deg[row]),
+            dew_point_c=float(table.get(DEW_POINT, DEW_POINT_C)),
+            extraterrestrial_irradiance_w_m2=SOLAR_CONSTANT_W_M2 / float(self.sun_distance_au[row]) ** 2,
+        )
 
     def resampled(self, minutes: float) -> Weather:
         """The same light in shorter intervals, each with its own sun.
