@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.bsdf.elements import uneven_bsdf, uneven_tree_bsdf
 
 from clerestory import Band, Bsdf, ClerestoryError, KlemsBlock, TreeBlock
 from clerestory.bsdf import KLEMS_BASES, KlemsBasis, klems_basis
@@ -109,3 +110,31 @@ def test_disc_and_square_are_one_another_and_keep_areas() -> None:
 def test_what_cannot_be_is_refused_by_name(make: object, word: str) -> None:
     with pytest.raises(ClerestoryError, match=word):
         make()
+
+
+@pytest.mark.parametrize("bsdf", [uneven_bsdf("klems_half"), uneven_tree_bsdf(3), uneven_tree_bsdf(4)])
+def test_a_window_has_the_values_of_the_file(bsdf: Bsdf) -> None:
+    native = bsdf.glazing()
+    rng = np.random.default_rng(6)
+    assert native.spreads
+    for direction, block in bsdf.visible:
+        from_front, through = direction.endswith("front"), direction.startswith("transmission")
+
+        def along(z: float) -> np.ndarray:
+            sine, phi = np.sqrt(rng.random(300)), 2.0 * np.pi * rng.random(300)
+            return np.stack([sine * np.cos(phi), sine * np.sin(phi), z * np.sqrt(1.0 - sine**2)], axis=1)
+
+        into = along(1.0 if from_front else -1.0)
+        out = along(1.0 if from_front == through else -1.0)
+        assert native.bsdf(into, out) == pytest.approx(block.at(into[:, :2], out[:, :2]), rel=1e-12)
+
+
+def test_rings_of_a_file_s_own_fill_a_window() -> None:
+    own = KlemsBasis("own", (0.0, 30.0, 90.0), (1, 4))
+    block = KlemsBlock(np.full((5, 5), 0.4 / np.pi), own, own)
+    native = Bsdf(name="x", visible=Band(block, block, block, block)).glazing()
+    assert native.spread(np.array([[0.0, 0.6, 0.8]])) == pytest.approx(0.8)
+    with pytest.raises(ClerestoryError, match="negative"):
+        Bsdf(name="x", visible=Band(KlemsBlock(-block.values, own, own), block, block, block)).glazing()
+    with pytest.raises(ClerestoryError, match="no more than"):
+        Bsdf(name="x", visible=Band(KlemsBlock(3.0 * block.values, own, own), block, block, block)).glazing()

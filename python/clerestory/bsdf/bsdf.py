@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from clerestory.bsdf.band import Band
@@ -14,6 +14,8 @@ from clerestory.rules import positive
 if TYPE_CHECKING:
     import os
     from pathlib import Path
+
+    from clerestory import _native
 
 BANDS = ("visible", "solar", "x", "z")
 """Names of the bands of a BSDF."""
@@ -75,6 +77,26 @@ class Bsdf:
     def bands(self) -> Iterator[tuple[str, Band]]:
         """Name and band of those that are known."""
         return ((name, getattr(self, name)) for name in BANDS if getattr(self, name) is not None)
+
+    def glazing(self) -> _native.Glazing:
+        """What fills a window: the exact element if there is one, else the visible band's matrices or trees.
+
+        Raises
+        ------
+        ClerestoryError
+            If a block has negative values or sends away more than it takes.
+        """
+        return self.blurred_glazing() if self.exact is None else self.exact.glazing()
+
+    def blurred_glazing(self) -> _native.Glazing:
+        """The visible band's matrices or trees as a glazing, whether or not the exact element is known."""
+        from clerestory.bsdf.filling import glazing_of_band
+
+        return glazing_of_band(self.visible, self.name)
+
+    def blurred(self) -> Bsdf:
+        """The same element known by its tables alone: a room then sees light spread over patches."""
+        return replace(self, exact=None)
 
     def to_xml(self, path: str | os.PathLike[str]) -> Path:
         """Writes the BSDF as LBNL's XML (BSDF-v1.4), which Radiance and WINDOW read; whole or not at all.

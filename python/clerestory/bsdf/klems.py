@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 import numpy.typing as npt
 
+from clerestory import _native
 from clerestory.errors import ClerestoryError
 from clerestory.rules import one_of
 
 Floats = npt.NDArray[np.float64]
 
-#: Name → (LBNL's name, lower edge of each ring [degrees], bins of azimuth of each ring); LBNL, *WINDOW*, and
-#: J. H. Klems, ASHRAE Transactions 100(1), 1994.
-_TABLES: dict[str, tuple[str, tuple[float, ...], tuple[int, ...]]] = {
-    "klems_full": ("LBNL/Klems Full", (0, 5, 15, 25, 35, 45, 55, 65, 75), (1, 8, 16, 20, 24, 24, 24, 16, 12)),
-    "klems_half": ("LBNL/Klems Half", (0, 6.5, 19.5, 32.5, 45.5, 58.5, 71.5), (1, 8, 12, 16, 20, 12, 8)),
-    "klems_quarter": ("LBNL/Klems Quarter", (0, 9, 27, 45, 63), (1, 8, 12, 12, 8)),
+#: Name → what LBNL's files call it; the rings are the compiled half's (``_native.KlemsBasis``).
+_LBNL_NAMES = {
+    "klems_full": "LBNL/Klems Full",
+    "klems_half": "LBNL/Klems Half",
+    "klems_quarter": "LBNL/Klems Quarter",
 }
-KLEMS_BASES = tuple(_TABLES)
+KLEMS_BASES = tuple(_LBNL_NAMES)
 """The usual bases, finest first."""
 
 #: Most patches of a basis that a file may define.
@@ -29,7 +29,7 @@ MOST_PATCHES = 20_000
 
 @dataclass(frozen=True)
 class KlemsBasis:
-    """Rings about the normal, each divided into equal bins of azimuth.
+    """Rings about the normal, each divided into equal bins of azimuth (J. H. Klems, ASHRAE Transactions 100(1), 1994).
 
     A patch is named by the (x, y) of the direction in which light travels, x to the right as seen from inside and y up.
     Patches are counted ring by ring from the normal; in each ring, bin 0 is centred on +x and the next ones follow
@@ -77,7 +77,7 @@ class KlemsBasis:
     @property
     def lbnl_name(self) -> str:
         """What LBNL's files call it."""
-        return _TABLES[self.name][0] if self.name in _TABLES else self.name
+        return _LBNL_NAMES.get(self.name, self.name)
 
     @cached_property
     def ring(self) -> npt.NDArray[np.int64]:
@@ -126,6 +126,13 @@ class KlemsBasis:
         return np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi)], axis=1)
 
     @cached_property
+    def native(self) -> _native.KlemsBasis:
+        """The compiled half."""
+        if self.name in _LBNL_NAMES:
+            return _native.KlemsBasis(self.name)
+        return _native.KlemsBasis.of_rings(self.name, list(self.theta_deg[:-1]), list(self.counts))
+
+    @cached_property
     def opposite(self) -> npt.NDArray[np.int64] | None:
         """Patch of (−x, −y) for each patch; None if a ring of several bins has an odd number of them."""
         counts = np.asarray(self.counts)
@@ -146,7 +153,11 @@ class KlemsBasis:
         return np.asarray(first[ring] + np.floor(turn * counts[ring] + 0.5).astype(np.int64) % counts[ring])
 
 
-_BASES = {name: KlemsBasis(name, (*theta, 90.0), counts) for name, (_, theta, counts) in _TABLES.items()}
+@cache
+def _known(name: str) -> KlemsBasis:
+    rings = _native.KlemsBasis(name)
+    edges = np.round(rings.theta_bounds_deg, 9)
+    return KlemsBasis(name, (*edges[:, 0].tolist(), float(edges[-1, 1])), tuple(rings.counts))
 
 
 def klems_basis(basis: str | KlemsBasis) -> KlemsBasis:
@@ -159,10 +170,10 @@ def klems_basis(basis: str | KlemsBasis) -> KlemsBasis:
     """
     if isinstance(basis, KlemsBasis):
         return basis
-    return _BASES[one_of("basis", basis, KLEMS_BASES)]
+    return _known(one_of("basis", basis, KLEMS_BASES))
 
 
 def basis_of_lbnl_name(name: str) -> KlemsBasis | None:
     """The usual basis that LBNL's files call so, whatever the capitals; None if there is none."""
     wanted = " ".join(name.split()).casefold()
-    return next((basis for basis in _BASES.values() if basis.lbnl_name.casefold() == wanted), None)
+    return next((_known(name) for name, lbnl in _LBNL_NAMES.items() if lbnl.casefold() == wanted), None)
