@@ -2,6 +2,7 @@
 
 import typer
 
+from clerestory.cli.convert import convert
 from clerestory.cli.doctor import doctor
 from clerestory.cli.one_line import OneLineGroup
 from clerestory.cli.panel import panel
@@ -21,6 +22,7 @@ app = typer.Typer(
 app.add_typer(panel, name="panel")
 app.command("room")(room)
 app.command("sweep")(sweep)
+app.command("convert")(convert)
 app.command("doctor")(doctor)
 
 __all__ = ["app"]
