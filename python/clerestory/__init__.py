@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from clerestory.errors import ClerestoryError
     from clerestory.glazing import Glass, Open, PlainTransmittance, Slab, Stack, TregenzaSharples
     from clerestory.illuminance import average_by_group, daylight_factor, illuminance, sun_illuminance, uniformity
+    from clerestory.layers.gap import Gap
     from clerestory.measured import read_measured
     from clerestory.measured_glass import MeasuredGlass, measured_glass, medium_of_pane
     from clerestory.medium import Medium, medium_names
@@ -84,6 +85,7 @@ __all__ = [
     "Face",
     "Facet",
     "FacingBuilding",
+    "Gap",
     "Glass",
     "Interface",
     "KlemsBlock",
@@ -191,6 +193,7 @@ _PLACES = {
     "illuminance": "clerestory.illuminance",
     "sun_illuminance": "clerestory.illuminance",
     "uniformity": "clerestory.illuminance",
+    "Gap": "clerestory.layers.gap",
     "read_measured": "clerestory.measured",
     "MeasuredGlass": "clerestory.measured_glass",
     "measured_glass": "clerestory.measured_glass",

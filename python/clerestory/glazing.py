@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol, runtime_checkable
+from itertools import pairwise
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
+
+from numpy.typing import ArrayLike
 
 from clerestory import _native
 from clerestory.errors import ClerestoryError
+from clerestory.layers.gap import Gap
+from clerestory.panels.incidence import Side
+from clerestory.panels.optics import TOLERANCE as _TOLERANCE
+from clerestory.panels.optics import Polarisation
 from clerestory.rules import not_negative, positive, within
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 @runtime_checkable
@@ -104,27 +114,226 @@ class Slab:
 
 @dataclass(frozen=True)
 class Stack:
-    """Layers with air between them, such as a panel in a double window.
+    """Layers with gaps between them, such as a panel in a double window.
 
     Parameters
     ----------
-    layers : sequence of Glazing
-        From the outside to the room; light is followed back and forth between them.
+    layers : sequence of Glazing and Gap
+        From the outside to the room. A :class:`~clerestory.Gap` between two layers is kept for programs that compute
+        heat; light crosses it unchanged, and layers may also follow one another without.
+
+    Raises
+    ------
+    ClerestoryError
+        If there is no layer, an entry is neither a glazing nor a gap, or a gap is not between two layers.
+
+    Notes
+    -----
+    Light is followed back and forth between the layers, its polarisation with it (theory/layers.md). A stack with a
+    BSDF among its layers is combined from matrices (theory/layers.md, eq. 8).
+
+    Examples
+    --------
+    >>> from clerestory import Gap, Medium, Pane
+    >>> pane = Pane(thickness_mm=4.0, medium=Medium(n=1.52))
+    >>> double = Stack([pane, Gap(width_mm=16.0, gas="argon"), pane])
+    >>> round(double.angular(elevation_deg=60.0).transmittance.item(), 4)
+    0.7498
     """
 
-    layers: tuple[Glazing, ...]
+    layers: tuple[Glazing | Gap, ...]
 
     def __post_init__(self) -> None:
         layers = tuple(self.layers)
+        for index, layer in enumerate(layers):
+            if isinstance(layer, Gap):
+                if index in (0, len(layers) - 1) or isinstance(layers[index - 1], Gap):
+                    raise ClerestoryError(
+                        f"layers[{index}] must be a glazing, since a gap lies between two of them, got {layer!r}; "
+                        "move it"
+                    )
+            else:
+                check_glazing(f"layers[{index}]", layer)
         if not layers:
             raise ClerestoryError("layers must hold at least one glazing, got none")
-        for index, layer in enumerate(layers):
-            check_glazing(f"layers[{index}]", layer)
         object.__setattr__(self, "layers", layers)
 
+    @property
+    def glazings(self) -> tuple[Glazing, ...]:
+        """The layers without the gaps, from the outside to the room."""
+        return tuple(layer for layer in self.layers if not isinstance(layer, Gap))
+
+    @property
+    def gaps(self) -> tuple[Gap | None, ...]:
+        """What is known of the gap behind each layer but the last; None where nothing was said."""
+        found: list[Gap | None] = []
+        for before, layer in pairwise(self.layers):
+            if isinstance(layer, Gap):
+                found.append(layer)
+            elif not isinstance(before, Gap):
+                found.append(None)
+        return tuple(found)
+
     def glazing(self) -> _native.Glazing:
-        """The compiled half."""
-        return _native.Glazing.stack([layer.glazing() for layer in self.layers])
+        """The compiled half: polarisation resolved, daylight as the eye weighs it."""
+        from clerestory.layers.optics import stack_optics
+
+        return stack_optics(self, wavelength_nm=None, polarisation="resolved", tolerance=_TOLERANCE)[0].glazing()
+
+    def lobes(
+        self,
+        *,
+        elevation_deg: float,
+        azimuth_deg: float = 0.0,
+        side: Side = "front",
+        wavelength_nm: float | None = None,
+        polarisation: Polarisation = "resolved",
+        tolerance: float = _TOLERANCE,
+    ) -> xr.Dataset:
+        r"""Every beam that leaves when a plane wave of unpolarised light comes in, and what each layer absorbs.
+
+        Parameters
+        ----------
+        elevation_deg, azimuth_deg, side, wavelength_nm
+            As of :meth:`Panel.lobes`. Each wavelength that stands for daylight goes through all layers by itself.
+        polarisation : {"resolved", "averaged"}, default "resolved"
+            Stokes vectors carried from layer to layer, or light unpolarised again before every layer, as WINDOW has it.
+            Within a layer they are always resolved.
+        tolerance : float, between 0 and 1, default 1e-6
+            Share of the power that may stay unfollowed within a panel.
+
+        Returns
+        -------
+        Dataset over ``lobe``, strongest first, and ``layer``, the outermost 1
+            As of :meth:`Panel.lobes`, with ``layer_absorptance`` (layer) [0..1 of the incident]. Powers,
+            ``layer_absorptance`` and the attribute ``residual`` add to 1.
+
+        Raises
+        ------
+        ClerestoryError
+            If an argument is out of its range, a layer has rough cuts or is a BSDF.
+
+        Notes
+        -----
+        theory/layers.md, eqs. 5 and 6.
+        """
+        from clerestory.layers.light import stack_lobes
+
+        return stack_lobes(
+            self,
+            elevation_deg=elevation_deg,
+            azimuth_deg=azimuth_deg,
+            side=side,
+            wavelength_nm=wavelength_nm,
+            polarisation=polarisation,
+            tolerance=tolerance,
+        )
+
+    def angular(
+        self,
+        *,
+        elevation_deg: ArrayLike,
+        azimuth_deg: ArrayLike = 0.0,
+        side: Side = "front",
+        wavelength_nm: ArrayLike | None = None,
+        polarisation: Polarisation = "resolved",
+        tolerance: float = _TOLERANCE,
+    ) -> xr.Dataset:
+        r"""How the light divides for each of many directions of incidence, layer by layer.
+
+        Parameters
+        ----------
+        elevation_deg, azimuth_deg : array_like of no or one dimension, between -90 and 90 [degrees]
+        side, polarisation, tolerance
+            As of :meth:`lobes`.
+        wavelength_nm : array_like of no or one dimension, optional [nm]
+            A list adds the dimension ``wavelength``; None: as the eye weighs daylight.
+
+        Returns
+        -------
+        Dataset, dims ("elevation", "azimuth"[, "wavelength"]) [0..1]
+            ``transmittance``, ``reflectance``, ``absorptance``, ``residual``, which add to 1;
+            ``transmittance_deflected`` and ``transmittance_undeflected``; ``layer_absorptance`` (layer, …), the
+            outermost layer 1, which adds to ``absorptance``.
+
+        Raises
+        ------
+        ClerestoryError
+            As of :meth:`lobes`.
+
+        Notes
+        -----
+        In closed form where no layer turns light (theory/layers.md, eqs. 1 to 3), by following beams otherwise.
+        """
+        from clerestory.layers.light import stack_angular
+
+        return stack_angular(
+            self,
+            elevation_deg=elevation_deg,
+            azimuth_deg=azimuth_deg,
+            side=side,
+            wavelength_nm=wavelength_nm,
+            polarisation=polarisation,
+            tolerance=tolerance,
+        )
+
+    def absorptances(
+        self, *, elevation_deg: ArrayLike, azimuth_deg: ArrayLike = 0.0, side: Side = "front"
+    ) -> xr.DataArray:
+        """What each layer absorbs of visible daylight from each direction: ``layer_absorptance`` of :meth:`angular`.
+
+        Returns
+        -------
+        DataArray, dims ("layer", "elevation", "azimuth") [0..1]
+            The outermost layer is 1, for light from either side.
+        """
+        shares = self.angular(elevation_deg=elevation_deg, azimuth_deg=azimuth_deg, side=side)
+        return shares["layer_absorptance"]
+
+    def hemispherical(
+        self,
+        *,
+        side: Side = "front",
+        wavelength_nm: float | None = None,
+        polarisation: Polarisation = "resolved",
+        tolerance: float = _TOLERANCE,
+        rings: int = 24,
+        azimuths: int = 24,
+    ) -> xr.Dataset:
+        """How light divides that comes evenly from the whole hemisphere before a side.
+
+        Parameters
+        ----------
+        side, wavelength_nm, polarisation, tolerance
+            As of :meth:`lobes`.
+        rings, azimuths : int, at least 1, default 24
+            Angles from the normal and about it at which light comes in.
+
+        Returns
+        -------
+        Dataset without dimensions but ``layer`` [0..1]
+            The variables of :meth:`angular`.
+
+        Raises
+        ------
+        ClerestoryError
+            As of :meth:`lobes`.
+
+        Notes
+        -----
+        theory/layers.md, eq. 7.
+        """
+        from clerestory.layers.hemispherical import stack_hemispherical
+
+        return stack_hemispherical(
+            self,
+            side=side,
+            wavelength_nm=wavelength_nm,
+            polarisation=polarisation,
+            tolerance=tolerance,
+            rings=rings,
+            azimuths=azimuths,
+        )
 
 
 def check_glazing(name: str, value: object) -> Glazing:

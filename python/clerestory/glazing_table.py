@@ -10,6 +10,7 @@ from typing import Any
 
 from clerestory.errors import ClerestoryError
 from clerestory.glazing import Glass, Glazing, Open, PlainTransmittance, Slab, Stack, TregenzaSharples
+from clerestory.layers.gap import Gap
 from clerestory.panels.panel import Panel
 from clerestory.panels.writing import kinds as panel_kinds
 from clerestory.panels.writing import panel_from_dict, panel_to_dict, read_panel
@@ -58,7 +59,7 @@ def read_glazing(table: Table, named: Callable[[Any], Glazing], folder: Path) ->
     ----------
     table : Table
         With ``kind`` and the parameters of that kind, or with the ``file`` of a panel; ``layers`` of a stack
-        are names of other glazings.
+        are names of other glazings, and between them tables of gaps.
     named : callable
         Name → glazing.
 
@@ -83,10 +84,21 @@ def read_glazing(table: Table, named: Callable[[Any], Glazing], folder: Path) ->
         layers = table.take("layers")
         table.finish()
         if not isinstance(layers, list):
-            raise ClerestoryError(f"layers of {table.where} must be a list of names of glazings, got {layers!r}")
-        return Stack(tuple(named(layer) for layer in layers))
+            raise ClerestoryError(
+                f"layers of {table.where} must list names of glazings, and gaps as tables, got {layers!r}"
+            )
+        return Stack(tuple(_gap(layer, table.where) if isinstance(layer, dict) else named(layer) for layer in layers))
     made: Glazing = build(kind, table)
     return made
+
+
+def _gap(values: dict[str, Any], where: str) -> Gap:
+    gap: Gap = build(Gap, Table(values, f"a gap among the layers of {where}"))
+    return gap
+
+
+def _layer(layer: Glazing | Gap, name_of: Callable[[Glazing], str]) -> str | dict[str, Any]:
+    return {"width_mm": layer.width_mm, "gas": layer.gas} if isinstance(layer, Gap) else name_of(layer)
 
 
 def build(kind: type[Any], table: Table) -> Any:
@@ -117,6 +129,6 @@ def write_glazing(glazing: Glazing, name_of: Callable[[Glazing], str]) -> dict[s
     if word is None:
         raise ClerestoryError(f"glazing must be one of {', '.join(KINDS)} to be written as TOML, got {glazing!r}")
     if isinstance(glazing, Stack):
-        return {"kind": word, "layers": [name_of(layer) for layer in glazing.layers]}
+        return {"kind": word, "layers": [_layer(layer, name_of) for layer in glazing.layers]}
     values = {parameter.name: getattr(glazing, parameter.name) for parameter in fields(glazing)}  # type: ignore[arg-type]
     return {"kind": word, **{name: value for name, value in values.items() if value is not None}}

@@ -118,6 +118,20 @@ pub enum OpticsError {
     /// A stack of nothing.
     #[error("layers must be one or more, got none; give the outermost first")]
     NoLayers,
+    /// A layer whose light is no longer in beams.
+    #[error(
+        "layers[{layer}] spreads light, so that no beams are left to follow; combine the layers as matrices, by Stack.bsdf"
+    )]
+    LayerSpreads {
+        /// Its place, the outermost first, from 0.
+        layer: usize,
+    },
+    /// Wavelengths whose weights or layers do not fit.
+    #[error("each wavelength of a stack must have the same layers and a weight, all weights together 1; got {detail}")]
+    StackSpectrum {
+        /// What was found.
+        detail: String,
+    },
     /// A pane without body.
     #[error("thickness_mm must be finite and greater than 0, got {value}; give the pane's thickness in mm")]
     NotAThickness {

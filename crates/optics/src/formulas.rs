@@ -10,6 +10,6 @@ mod uncoated_glass;
 
 pub use edmonds::{edmonds_deflected_fraction, edmonds_panel_tilt};
 pub use edmonds_greenup_compagnon::edmonds_greenup_compagnon;
-pub use slab::{Polarisation, Shares, slab, slab_single_pass};
+pub use slab::{Polarisation, Shares, slab, slab_retarders, slab_single_pass};
 pub use tregenza_sharples::tregenza_sharples;
 pub use uncoated_glass::{UncoatedGlass, uncoated_glass};

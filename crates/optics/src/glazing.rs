@@ -1,10 +1,12 @@
 //! What a flat element of a window does to light: the only thing a room knows of a window.
 
 mod clear;
+mod polarised;
 mod stack;
 
 pub use clear::ClearGlazing;
-pub use stack::Stack;
+pub use polarised::{PolarisedLobe, PolarisedLobes};
+pub use stack::{LayerShares, Stack, StackLobe, StackLobes};
 
 use hemisphere::{Direction, Vec3};
 
@@ -107,6 +109,25 @@ pub trait Glazing: Send + Sync {
     /// The two shares at this incidence, if the element never turns light and never reflects it totally; `None` otherwise.
     fn straight(&self, _incident: Direction) -> Option<Straight> {
         None
+    }
+
+    /// The two shares of s and of p light about the plane of incidence, if the element is straight (see [`Self::straight`]).
+    fn straight_s_p(&self, incident: Direction) -> Option<[Straight; 2]> {
+        self.straight(incident).map(|shares| [shares; 2])
+    }
+
+    /// As [`Self::lobes`], for light of any polarisation. An element that does not know takes power alone, and what leaves it is
+    /// unpolarised.
+    fn polarised_lobes(&self, incident: Direction, out: &mut PolarisedLobes) {
+        let mut lobes = Lobes::default();
+        self.lobes(incident, &mut lobes);
+        out.depolarised(&lobes);
+    }
+
+    /// As [`Self::scatter`], for light of these Stokes parameters over its power, about the reference axes of its direction;
+    /// returned with those of the light that leaves.
+    fn polarised_scatter(&self, incident: Direction, _polarisation: [f64; 3], u: [f64; 3]) -> (Scattered, [f64; 3]) {
+        (self.scatter(incident, u), [0.0; 3])
     }
 
     /// The bidirectional scattering distribution [1/sr] of the part that is not specular, on both sides: radiance that leaves

@@ -13,7 +13,10 @@ mod stokes;
 
 pub use bsdf::{Block, Blocks, Bsdf, Matrix, Tree, TreeWriter};
 pub use error::OpticsError;
-pub use glazing::{ClearGlazing, Glazing, Lobe, Lobes, Scattered, Side, Stack, Straight};
+pub use glazing::{
+    ClearGlazing, Glazing, LayerShares, Lobe, Lobes, PolarisedLobe, PolarisedLobes, Scattered, Side, Stack, StackLobe,
+    StackLobes, Straight,
+};
 pub use interface::{Interface, Split, mirror, refract};
 pub use medium::{Absorption, Dispersion, Law, Medium, Table, medium_names};
 pub use stokes::{Mueller, Retarder, Stokes, reference_axes};

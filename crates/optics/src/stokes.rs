@@ -28,7 +28,8 @@ pub struct Retarder {
 }
 
 impl Retarder {
-    fn new(power_s: f64, power_p: f64, cos: f64, sin: f64) -> Self {
+    /// Powers of s and p light, and the coherence between them times the cosine and the sine of the retardance.
+    pub(crate) fn new(power_s: f64, power_p: f64, cos: f64, sin: f64) -> Self {
         Self { mean: 0.5 * (power_s + power_p), half_difference: 0.5 * (power_s - power_p), cos, sin }
     }
 
@@ -102,6 +103,11 @@ impl Retarder {
 }
 
 impl Mueller {
+    /// Weakens light of every polarisation by one factor.
+    pub fn scaled(factor: f64) -> Self {
+        Self(std::array::from_fn(|i| std::array::from_fn(|j| if i == j { factor } else { 0.0 })))
+    }
+
     /// Turns the axes by ψ about the beam: cos 2ψ and sin 2ψ given (theory/polarisation.md, eq. 2).
     pub fn turned(cos_2: f64, sin_2: f64) -> Self {
         Self([[1.0, 0.0, 0.0, 0.0], [0.0, cos_2, sin_2, 0.0], [0.0, -sin_2, cos_2, 0.0], [0.0, 0.0, 0.0, 1.0]])

@@ -138,20 +138,31 @@ impl Panel {
 
     /// Where the light of a plane wave goes: exact, no random numbers.
     pub fn outcome(&self, incident: Direction, workspace: &mut Workspace) -> Result<Outcome, PanelError> {
+        self.outcome_of((incident, UNPOLARISED), workspace)
+    }
+
+    /// The same for light of these Stokes parameters, about the reference axes of its direction and of power one. In the plane
+    /// across the cuts s and p light never mix, and the last two parameters, which no power depends on there, are left out.
+    pub fn outcome_of(
+        &self,
+        (incident, light): (Direction, Stokes),
+        workspace: &mut Workspace,
+    ) -> Result<Outcome, PanelError> {
         if !self.profile.is_smooth() {
             return Err(PanelError::RoughCut);
         }
         let mut outcome = Outcome::default();
         if let Some(mirrored) = skimming(incident) {
-            outcome.add(mirrored.vector(), [1.0, 0.0, 0.0, 0.0], 0);
+            outcome.add(mirrored.vector(), light, 0);
             return Ok(outcome);
         }
-        let in_plane = incident.x.abs() < 1e-15;
+        let in_plane = is_across_the_cuts(incident);
+        let wave = (incident.vector(), light);
         for i in 0..self.spectrum.len() {
             match (self.polarisation, in_plane) {
-                (Polarisation::Averaged, _) => self.add(&mut workspace.averaged, i, incident, &mut outcome),
-                (Polarisation::Resolved, true) => self.add(&mut workspace.in_plane, i, incident, &mut outcome),
-                (Polarisation::Resolved, false) => self.add(&mut workspace.skew, i, incident, &mut outcome),
+                (Polarisation::Averaged, _) => self.add(&mut workspace.averaged, i, wave, &mut outcome),
+                (Polarisation::Resolved, true) => self.add(&mut workspace.in_plane, i, wave, &mut outcome),
+                (Polarisation::Resolved, false) => self.add(&mut workspace.skew, i, wave, &mut outcome),
             }
         }
         outcome.beams.sort_by(|a, b| b.stokes[0].total_cmp(&a.stokes[0]));
@@ -168,9 +179,15 @@ impl Panel {
         Ok(shares)
     }
 
-    fn add<P: Payload>(&self, solver: &mut Solver<P>, sample: usize, incident: Direction, outcome: &mut Outcome) {
+    fn add<P: Payload>(
+        &self,
+        solver: &mut Solver<P>,
+        sample: usize,
+        (incident, light): (Vec3, Stokes),
+        outcome: &mut Outcome,
+    ) {
         let Sample { media, weight } = &self.spectrum[sample];
-        solver.solve(&self.profile, media, incident.vector(), self.limits);
+        solver.solve(&self.profile, media, (incident, P::of_stokes(light)), self.limits);
         for leaving in solver.leaving() {
             let stokes = leaving.light.times(*weight).stokes();
             outcome.add(solver.direction(leaving.direction), stokes, leaving.total_reflections);
@@ -207,6 +224,14 @@ impl Outcome {
     }
 }
 
+/// Whether light stays in the plane across the cuts.
+pub(crate) fn is_across_the_cuts(incident: Direction) -> bool {
+    incident.x.abs() < 1e-15
+}
+
+/// Unpolarised light of power one.
+const UNPOLARISED: Stokes = [1.0, 0.0, 0.0, 0.0];
+
 /// Light that runs along the sheet to rounding meets no facet: all of it is mirrored, the limit of grazing incidence.
 /// The direction it takes, or nothing for any other light.
 pub(crate) fn skimming(incident: Direction) -> Option<Direction> {
@@ -218,7 +243,7 @@ pub(crate) fn skimming(incident: Direction) -> Option<Direction> {
 const LEAST_COMPONENT: f64 = 1e-9;
 
 /// Square of the angle below which two directions are one.
-const SAME_DIRECTION: f64 = 1e-18;
+pub(crate) const SAME_DIRECTION: f64 = 1e-18;
 
 impl Shares {
     /// Adds light that came along `incident` and leaves along `leaving`. Light that comes in level has no vertical sense

@@ -2,7 +2,7 @@
 
 use crate::{
     error::{PanelError, positive},
-    facet::{Facet, MediumId, Surface},
+    facet::{AIR, Facet, MediumId, Surface},
     plane::Vec2,
     topology::{HalfEdge, Outside, Topology, medium},
 };
@@ -94,6 +94,16 @@ impl Profile {
     /// Whether every facet is a straight line.
     pub fn is_straight(&self) -> bool {
         self.facets.iter().all(Facet::is_straight)
+    }
+
+    /// Thickness and medium, if it is a plain pane: two smooth level faces with one medium between them and one around.
+    pub fn pane(&self) -> Option<(f64, MediumId)> {
+        let [a, b] = &self.facets[..] else { return None };
+        let is_face =
+            |f: &Facet| f.is_straight() && f.surface == Surface::Interface && (f.end.z - f.start.z).abs() == 0.0;
+        let is_pane = is_face(a) && is_face(b) && self.is_smooth() && (self.front, self.back) == (AIR, AIR);
+        // air outside on both sides, so that what a face has besides is the sheet
+        is_pane.then_some((self.z_max - self.z_min, a.left.max(a.right)))
     }
 
     /// The same with every arc drawn by `chords` straight facets.

@@ -5,7 +5,7 @@ use crate::bsdf::{self, BasisOrName};
 use crate::errors::{self, mistake};
 use hemisphere::Rng;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, ndarray::Array2};
-use optics::{ClearGlazing, Glazing, Lobes, Scattered, Stack};
+use optics::{ClearGlazing, Glazing, Lobes, Scattered};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -47,13 +47,6 @@ impl PyGlazing {
     #[staticmethod]
     fn slab(n: f64, thickness_mm: f64, absorption_per_mm: f64) -> PyResult<Self> {
         clear(ClearGlazing::slab(n, thickness_mm, absorption_per_mm))
-    }
-
-    /// Layers with air between, the outermost first.
-    #[staticmethod]
-    fn stack(layers: Vec<PyRef<'_, PyGlazing>>) -> PyResult<Self> {
-        let layers = layers.iter().map(|layer| layer.0.clone()).collect();
-        Stack::new(layers).map(|stack| Self(Arc::new(stack))).map_err(errors::optics)
     }
 
     /// A BSDF of Klems matrices [1/sr], each (outgoing, incident); a missing one sends out nothing.

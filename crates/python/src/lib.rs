@@ -10,6 +10,7 @@ mod optics;
 mod panel;
 mod room;
 mod sky;
+mod stack;
 
 use pyo3::prelude::*;
 
@@ -21,6 +22,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     panel::register(module)?;
     glazing::register(module)?;
     bsdf::register(module)?;
+    stack::register(module)?;
     sky::register(module)?;
     room::register(module)?;
     Ok(())

@@ -1,6 +1,6 @@
 //! A plane-parallel pane in air: every inner reflection, absorption along the true path.
 
-use crate::{Interface, Split};
+use crate::{Interface, Retarder, Split};
 
 /// Which light meets the pane, and how much of its history it keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,6 +47,24 @@ pub fn slab(cos_i: f64, n: f64, optical_depth: f64, polarisation: Polarisation) 
             }
         }
     }
+}
+
+/// What a pane lets through and what it mirrors of light of any polarisation, in the axes of the plane of incidence: eqs. 2 and 3
+/// of theory/glass.md for s and for p, and theory/layers.md, eq. 4, for the coherence between the two.
+pub fn slab_retarders(cos_i: f64, n: f64, optical_depth: f64) -> [Retarder; 2] {
+    let split = (Interface { n_i: 1.0, n_t: n }).split(cos_i);
+    let (true, Split::Partial { amplitude_s, amplitude_p, cos_t }) = (cos_i > 0.0, split) else {
+        return [Retarder::new(0.0, 0.0, 0.0, 0.0), Retarder::new(1.0, 1.0, 1.0, 0.0)];
+    };
+    let tau = (-optical_depth / cos_t).exp();
+    let [s, p] = [amplitude_s, amplitude_p].map(|amplitude| with_inner_reflections(amplitude * amplitude, tau));
+    // inside the pane both amplitudes change sign, so their product stays
+    let (g, through_both) = (amplitude_s * amplitude_p, (1.0 - amplitude_s.powi(2)) * (1.0 - amplitude_p.powi(2)));
+    let coherence = through_both * tau / (1.0 - (g * tau).powi(2));
+    [
+        Retarder::new(s.transmittance, p.transmittance, coherence, 0.0),
+        Retarder::new(s.reflectance, p.reflectance, g + coherence * tau * g, 0.0),
+    ]
 }
 
 /// Transmittance of unpolarised light that crosses the pane once, inner reflections left out: (1 − R)² τ with

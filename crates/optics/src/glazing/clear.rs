@@ -1,8 +1,9 @@
 //! Plain glazing, which lets light through unturned: an opening, a fixed transmittance, glass by formula.
 
-use super::{Glazing, Lobe, Lobes, Scattered, Straight};
+use super::{Glazing, Lobe, Lobes, PolarisedLobe, PolarisedLobes, Scattered, Straight};
 use crate::OpticsError;
-use crate::formulas::{Polarisation, slab, tregenza_sharples};
+use crate::formulas::{Polarisation, slab, slab_retarders, tregenza_sharples};
+use crate::stokes::{Mueller, Retarder, reference_axes};
 use hemisphere::{Direction, Vec3};
 
 /// A glazing without structure: what passes keeps its direction, what is reflected is a mirror image.
@@ -23,6 +24,8 @@ enum Law {
 /// changes fast: a room asks millions of times.
 #[derive(Clone, Debug, PartialEq)]
 struct SlabTable {
+    n: f64,
+    optical_depth: f64,
     transmittance: Vec<[f64; 4]>,
     reflectance: Vec<[f64; 4]>,
 }
@@ -49,7 +52,7 @@ impl SlabTable {
                 ]
             })
         };
-        Self { transmittance: piece(0).collect(), reflectance: piece(1).collect() }
+        Self { n, optical_depth, transmittance: piece(0).collect(), reflectance: piece(1).collect() }
     }
 
     #[inline]
@@ -59,6 +62,12 @@ impl SlabTable {
         let x = place - k as f64;
         let cubic = |[a, b, c, d]: [f64; 4]| a + x * (b + x * (c + x * d));
         Straight { transmittance: cubic(self.transmittance[k]), reflectance: cubic(self.reflectance[k]) }
+    }
+
+    /// What the pane lets through and what it mirrors, for light of any polarisation (theory/glass.md, eqs. 2–3 for s and for p;
+    /// theory/layers.md, eq. 4 between them).
+    fn retarders(&self, cos_i: f64) -> [Retarder; 2] {
+        slab_retarders(cos_i, self.n, self.optical_depth)
     }
 }
 
@@ -156,6 +165,56 @@ impl Glazing for ClearGlazing {
     fn straight(&self, incident: Direction) -> Option<Straight> {
         Some(self.shares(incident.z.abs()))
     }
+
+    fn straight_s_p(&self, incident: Direction) -> Option<[Straight; 2]> {
+        let Law::Slab(table) = &self.0 else { return Some([self.shares(incident.z.abs()); 2]) };
+        Some([Polarisation::S, Polarisation::P].map(|polarisation| {
+            let shares = slab(incident.z.abs(), table.n, table.optical_depth, polarisation);
+            Straight { transmittance: shares.transmittance, reflectance: shares.reflectance }
+        }))
+    }
+
+    fn polarised_lobes(&self, incident: Direction, out: &mut PolarisedLobes) {
+        out.beams.clear();
+        out.residual = 0.0;
+        let Law::Slab(table) = &self.0 else {
+            // of a sheet known by its transmittance alone the best guess is that it leaves polarisation as it is
+            let mueller = Mueller::scaled(self.shares(incident.z.abs()).transmittance);
+            return out.beams.push(PolarisedLobe { direction: incident, mueller, total_reflections: 0 });
+        };
+        let [through, mirrored] = table.retarders(incident.z.abs());
+        let (into, s) = into_plane(incident);
+        for (direction, retarder) in [(incident, through), (mirror_image(incident), mirrored)] {
+            let mueller = Mueller::out_of_plane(*direction, s).after(&retarder.mueller()).after(&into);
+            out.beams.push(PolarisedLobe { direction, mueller, total_reflections: 0 });
+        }
+    }
+
+    fn polarised_scatter(&self, incident: Direction, [q, u, v]: [f64; 3], random: [f64; 3]) -> (Scattered, [f64; 3]) {
+        let Law::Slab(table) = &self.0 else { return (self.scatter(incident, random), [q, u, v]) };
+        let (into, s) = into_plane(incident);
+        let arriving = into.apply([1.0, q, u, v]);
+        let mut left = random[0];
+        for (direction, retarder) in
+            [incident, mirror_image(incident)].into_iter().zip(table.retarders(incident.z.abs()))
+        {
+            let leaving = retarder.apply(arriving);
+            if left < leaving[0] {
+                let [power, q, u, v] = Mueller::out_of_plane(*direction, s).apply(leaving);
+                return (Scattered::Leaves { direction, total_reflections: 0 }, [q / power, u / power, v / power]);
+            }
+            left -= leaving[0];
+        }
+        (Scattered::Absorbed, [0.0; 3])
+    }
+}
+
+/// The turn from the reference axes of a beam into its plane of incidence, and the axis across that plane.
+fn into_plane(incident: Direction) -> (Mueller, Vec3) {
+    let across = Vec3::Z.cross(*incident);
+    // at normal incidence any axis will do
+    let s = if across.length_squared() > 1e-24 { across.normalize() } else { reference_axes(*incident).0 };
+    (Mueller::into_plane(*incident, s), s)
 }
 
 /// Mirrored at the element's own plane.

@@ -1,151 +1,247 @@
 //! Layers one behind the other with air between: double glazing, a panel between panes.
 
-use super::{Glazing, Lobe, Lobes, Scattered, Straight};
+mod adding;
+mod following;
+
+use super::{Glazing, Lobe, Lobes, PolarisedLobe, PolarisedLobes, Scattered, Straight, clear::mirror_image, polarised};
 use crate::OpticsError;
+use crate::stokes::{Mueller, Stokes};
+use adding::{added, added_with_absorptance, averaged, straight_layers};
+use following::{entered, follow, met, same};
 use hemisphere::{Direction, Rng};
 use std::sync::Arc;
 
-/// Layers of glazing, the outermost first, with air between them. Light between layers is taken as unpolarised.
+pub use adding::LayerShares;
+pub use following::{StackLobe, StackLobes};
+
+/// Layers of glazing, the outermost first, with air between them, at one or several wavelengths.
 pub struct Stack {
-    layers: Vec<Arc<dyn Glazing>>,
+    spectrum: Vec<(Vec<Arc<dyn Glazing>>, f64)>,
+    is_resolved: bool,
 }
 
-/// Beams weaker than this share of the incident power are no longer followed but reported as residual.
-const TOLERANCE: f64 = 1e-7;
-
-/// Meetings with a layer after which what is left is residual.
+/// Meetings with a layer after which a drawn ray is given up.
 const MOST_MEETINGS: usize = 20_000;
 
-/// Directions closer than this are one.
-const SAME: f64 = 1e-9;
-
-/// Light on its way: in gap `gap`, before layer `gap` and behind the one before.
-struct Waiting {
-    gap: usize,
-    lobe: Lobe,
-}
-
 impl Stack {
-    /// Layers, the outermost first.
+    /// Layers, the outermost first; polarisation is carried from one to the next.
     pub fn new(layers: Vec<Arc<dyn Glazing>>) -> Result<Self, OpticsError> {
-        if layers.is_empty() {
+        Self::spectral(vec![(layers, 1.0)], true)
+    }
+
+    /// The same layers at several wavelengths, each with its weight. Unless polarisation is resolved, light is unpolarised again
+    /// before every layer.
+    pub fn spectral(spectrum: Vec<(Vec<Arc<dyn Glazing>>, f64)>, is_resolved: bool) -> Result<Self, OpticsError> {
+        let Some((first, _)) = spectrum.first() else { return Err(OpticsError::NoLayers) };
+        if first.is_empty() {
             return Err(OpticsError::NoLayers);
         }
-        Ok(Self { layers })
+        let whole: f64 = spectrum.iter().map(|(_, weight)| weight).sum();
+        let is_whole = (whole - 1.0).abs() < 1e-9 && spectrum.iter().all(|&(_, weight)| weight >= 0.0);
+        if !is_whole {
+            return Err(OpticsError::StackSpectrum { detail: format!("weights that add to {whole}") });
+        }
+        for (layers, _) in &spectrum {
+            if layers.len() != first.len() {
+                let detail = format!("{} and {} layers", first.len(), layers.len());
+                return Err(OpticsError::StackSpectrum { detail });
+            }
+            if let Some(layer) = layers.iter().position(|layer| layer.spreads()) {
+                return Err(OpticsError::LayerSpreads { layer });
+            }
+        }
+        Ok(Self { spectrum, is_resolved })
     }
 
-    /// The gap that light begins in.
-    fn outside(&self, incident: Direction) -> usize {
-        if incident.z > 0.0 { 0 } else { self.layers.len() }
+    /// Number of layers.
+    pub fn layers(&self) -> usize {
+        self.spectrum[0].0.len()
     }
 
-    /// The layer that light in a gap meets next; `None` if it has left.
-    fn next(&self, gap: usize, direction: Direction) -> Option<usize> {
-        if direction.z > 0.0 { (gap < self.layers.len()).then_some(gap) } else { gap.checked_sub(1) }
+    /// Every beam that leaves when unpolarised light comes in, and what each layer absorbs.
+    pub fn outcome(&self, incident: Direction) -> StackLobes {
+        self.outcome_of(incident, [1.0, 0.0, 0.0, 0.0])
     }
-}
 
-/// The gap that light leaving `layer` along `direction` enters.
-fn entered(layer: usize, direction: Direction) -> usize {
-    if direction.z > 0.0 { layer + 1 } else { layer }
+    fn outcome_of(&self, incident: Direction, stokes: Stokes) -> StackLobes {
+        let mut out = StackLobes { absorptance: vec![0.0; self.layers()], ..StackLobes::default() };
+        for (layers, weight) in &self.spectrum {
+            follow(layers, self.is_resolved, (incident, stokes), *weight, &mut out);
+        }
+        out
+    }
+
+    /// How unpolarised light divides, by layer: in closed form if no layer turns light, by following beams otherwise.
+    pub fn shares(&self, incident: Direction) -> LayerShares {
+        let mut shares = LayerShares { absorptance: vec![0.0; self.layers()], ..LayerShares::default() };
+        for (layers, weight) in &self.spectrum {
+            let Some(by_polarisation) = straight_layers(layers, incident) else {
+                return self.shares_of_beams(incident);
+            };
+            let mut add = |layers: &[adding::Layer], weight: f64| {
+                let Straight { transmittance, reflectance } =
+                    added_with_absorptance(layers, &mut shares.absorptance, weight);
+                shares.transmittance += weight * transmittance;
+                shares.reflectance += weight * reflectance;
+            };
+            if self.is_resolved {
+                by_polarisation.iter().for_each(|layers| add(layers, 0.5 * weight));
+            } else {
+                add(&averaged(&by_polarisation), *weight);
+            }
+        }
+        if incident.z < 0.0 {
+            // light from the room met the innermost layer first
+            shares.absorptance.reverse();
+        }
+        shares
+    }
+
+    fn shares_of_beams(&self, incident: Direction) -> LayerShares {
+        let StackLobes { beams, absorptance, residual } = self.outcome(incident);
+        let mut shares = LayerShares { absorptance, residual, ..LayerShares::default() };
+        for StackLobe { direction, stokes, .. } in beams {
+            if direction.z * incident.z < 0.0 {
+                shares.reflectance += stokes[0];
+                continue;
+            }
+            shares.transmittance += stokes[0];
+            if direction.y * incident.y < -1e-15 {
+                shares.transmittance_deflected += stokes[0];
+            }
+        }
+        shares
+    }
+
+    /// The layers of one wavelength, drawn by its weight with a number that is as good as new afterwards.
+    fn drawn(&self, u: f64) -> (&[Arc<dyn Glazing>], f64) {
+        let (mut left, mut chosen) = (u, 0);
+        while chosen + 1 < self.spectrum.len() && left >= self.spectrum[chosen].1 {
+            left -= self.spectrum[chosen].1;
+            chosen += 1;
+        }
+        let (layers, weight) = &self.spectrum[chosen];
+        (layers, (left / weight).clamp(0.0, 1.0 - f64::EPSILON))
+    }
 }
 
 impl Glazing for Stack {
     fn lobes(&self, incident: Direction, out: &mut Lobes) {
         out.clear();
-        let first = Lobe { direction: incident, power: 1.0, total_reflections: 0 };
-        let mut waiting = vec![Waiting { gap: self.outside(incident), lobe: first }];
-        let mut split = Lobes::default();
-        for _ in 0..MOST_MEETINGS {
-            // the strongest first, so that what meets again meets merged
-            let strongest = (0..waiting.len()).max_by(|&a, &b| waiting[a].lobe.power.total_cmp(&waiting[b].lobe.power));
-            let Some(i) = strongest.filter(|&i| waiting[i].lobe.power >= TOLERANCE) else { break };
-            let Waiting { gap, lobe } = waiting.swap_remove(i);
-            let Some(layer) = self.next(gap, lobe.direction) else {
-                merge(&mut out.beams, lobe);
-                continue;
-            };
-            self.layers[layer].lobes(lobe.direction, &mut split);
-            out.absorbed += lobe.power * split.absorbed;
-            out.residual += lobe.power * split.residual;
-            for part in &split.beams {
-                let part = Lobe {
-                    direction: part.direction,
-                    power: lobe.power * part.power,
-                    total_reflections: lobe.total_reflections.saturating_add(part.total_reflections),
-                };
-                let gap = entered(layer, part.direction);
-                match waiting.iter_mut().find(|w| w.gap == gap && same(w.lobe.direction, part.direction)) {
-                    Some(there) => join(&mut there.lobe, part),
-                    None => waiting.push(Waiting { gap, lobe: part }),
-                }
-            }
-        }
-        out.residual += waiting.iter().map(|w| w.lobe.power).sum::<f64>();
+        let found = self.outcome(incident);
+        out.absorbed = found.absorptance.iter().sum();
+        out.residual = found.residual;
+        out.beams.extend(found.beams.iter().map(|b| Lobe {
+            direction: b.direction,
+            power: b.stokes[0],
+            total_reflections: b.total_reflections,
+        }));
     }
 
     fn scatter(&self, incident: Direction, u: [f64; 3]) -> Scattered {
-        let mut rng = Rng::new(u[2].to_bits(), 0);
-        let (mut gap, mut direction, mut count) = (self.outside(incident), incident, 0_u16);
-        let mut u = [u[0], u[1], rng.uniform()];
-        for _ in 0..MOST_MEETINGS {
-            let Some(layer) = self.next(gap, direction) else {
-                return Scattered::Leaves { direction, total_reflections: count };
-            };
-            match self.layers[layer].scatter(direction, u) {
-                Scattered::Absorbed => return Scattered::Absorbed,
-                Scattered::Leaves { direction: leaves, total_reflections } => {
-                    gap = entered(layer, leaves);
-                    direction = leaves;
-                    count = count.saturating_add(total_reflections);
+        if let Some(Straight { transmittance, reflectance }) = self.straight(incident) {
+            return match u[0] {
+                u if u < transmittance => Scattered::Leaves { direction: incident, total_reflections: 0 },
+                u if u < transmittance + reflectance => {
+                    Scattered::Leaves { direction: mirror_image(incident), total_reflections: 0 }
                 }
-            }
-            u = std::array::from_fn(|_| rng.uniform());
+                _ => Scattered::Absorbed,
+            };
         }
-        Scattered::Absorbed
+        self.polarised_scatter(incident, [0.0; 3], u).0
     }
 
     /// Inner reflections between clear layers summed by the rule for adding layers.
     fn straight(&self, incident: Direction) -> Option<Straight> {
-        let back = super::clear::mirror_image(incident);
-        let mut order: Vec<&Arc<dyn Glazing>> = self.layers.iter().collect();
-        if incident.z < 0.0 {
-            order.reverse();
+        if self.is_resolved {
+            return self.straight_s_p(incident).map(polarised::mean);
         }
-        // seen along the light: transmittance there and back, reflectance of the near and of the far side
-        let (mut there, mut back_again, mut near, mut far) = (1.0, 1.0, 0.0, 0.0);
-        for layer in order {
-            let (ahead, behind) = (layer.straight(incident)?, layer.straight(back)?);
-            let between = 1.0 / (1.0 - far * ahead.reflectance);
-            near += there * back_again * ahead.reflectance * between;
-            far = behind.reflectance + ahead.transmittance * behind.transmittance * far * between;
-            there *= ahead.transmittance * between;
-            back_again *= behind.transmittance * between;
+        let mut sum = Straight { transmittance: 0.0, reflectance: 0.0 };
+        for (layers, weight) in &self.spectrum {
+            sum.add(*weight, added(&averaged(&straight_layers(layers, incident)?)));
         }
-        Some(Straight { transmittance: there, reflectance: near })
+        Some(sum)
+    }
+
+    fn straight_s_p(&self, incident: Direction) -> Option<[Straight; 2]> {
+        if !self.is_resolved {
+            return self.straight(incident).map(|shares| [shares; 2]);
+        }
+        let mut sums = [Straight { transmittance: 0.0, reflectance: 0.0 }; 2];
+        for (layers, weight) in &self.spectrum {
+            let by_polarisation = straight_layers(layers, incident)?;
+            sums.iter_mut().zip(&by_polarisation).for_each(|(sum, layers)| sum.add(*weight, added(layers)));
+        }
+        Some(sums)
+    }
+
+    fn polarised_lobes(&self, incident: Direction, out: &mut PolarisedLobes) {
+        if !self.is_resolved {
+            let mut lobes = Lobes::default();
+            self.lobes(incident, &mut lobes);
+            return out.depolarised(&lobes);
+        }
+        out.beams.clear();
+        // a matrix column by column: of light polarised fully, less that of unpolarised light
+        let unpolarised = self.outcome(incident);
+        out.residual = unpolarised.residual;
+        let columns = [1, 2, 3].map(|k| {
+            let mut stokes = [1.0, 0.0, 0.0, 0.0];
+            stokes[k] = 1.0;
+            self.outcome_of(incident, stokes).beams
+        });
+        for beam in &unpolarised.beams {
+            let mut rows = [[0.0; 4]; 4];
+            for (row, &power) in rows.iter_mut().zip(&beam.stokes) {
+                row[0] = power;
+            }
+            for (k, column) in columns.iter().enumerate() {
+                let light = column.iter().find(|b| same(b.direction, beam.direction)).map_or([0.0; 4], |b| b.stokes);
+                for i in 0..4 {
+                    rows[i][k + 1] = light[i] - beam.stokes[i];
+                }
+            }
+            let (direction, total_reflections) = (beam.direction, beam.total_reflections);
+            out.beams.push(PolarisedLobe { direction, mueller: Mueller(rows), total_reflections });
+        }
+    }
+
+    fn polarised_scatter(&self, incident: Direction, polarisation: [f64; 3], u: [f64; 3]) -> (Scattered, [f64; 3]) {
+        let mut rng = Rng::new(u[2].to_bits(), u[1].to_bits());
+        let (layers, first) = self.drawn(u[0]);
+        let mut gap = if incident.z > 0.0 { 0 } else { layers.len() };
+        let (mut direction, mut polarisation, mut count) = (incident, polarisation, 0_u16);
+        let mut u = [first, u[1], rng.uniform()];
+        for _ in 0..MOST_MEETINGS {
+            let Some(layer) = met(layers.len(), gap, direction) else {
+                return (Scattered::Leaves { direction, total_reflections: count }, polarisation);
+            };
+            let drawn = if self.is_resolved {
+                layers[layer].polarised_scatter(direction, polarisation, u)
+            } else {
+                (layers[layer].scatter(direction, u), [0.0; 3])
+            };
+            let (Scattered::Leaves { direction: leaves, total_reflections }, after) = drawn else { break };
+            gap = entered(layer, leaves);
+            (direction, polarisation) = (leaves, after);
+            count = count.saturating_add(total_reflections);
+            u = std::array::from_fn(|_| rng.uniform());
+        }
+        (Scattered::Absorbed, [0.0; 3])
     }
 }
 
-fn same(a: Direction, b: Direction) -> bool {
-    (a.vector() - b.vector()).length_squared() < SAME * SAME
-}
-
-fn join(there: &mut Lobe, part: Lobe) {
-    there.power += part.power;
-    there.total_reflections = there.total_reflections.min(part.total_reflections);
-}
-
-fn merge(beams: &mut Vec<Lobe>, part: Lobe) {
-    match beams.iter_mut().find(|b| same(b.direction, part.direction)) {
-        Some(there) => join(there, part),
-        None => beams.push(part),
+impl Straight {
+    fn add(&mut self, weight: f64, other: Self) {
+        self.transmittance += weight * other.transmittance;
+        self.reflectance += weight * other.reflectance;
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ClearGlazing;
+    use crate::{ClearGlazing, Interface, Split};
     use hemisphere::Vec3;
 
     fn along(x: f64, y: f64, z: f64) -> Direction {
@@ -184,13 +280,15 @@ mod tests {
         }
     }
 
-    /// One layer is itself, from either side; a stack of openings is an opening.
+    /// One layer is itself, from either side, but for its table of 1e-7; a stack of openings is an opening.
     #[test]
     fn one_layer_is_itself() {
         let alone = ClearGlazing::slab(1.52, 4.0, 0.01).expect("possible");
         let stack = Stack::new(vec![Arc::new(alone.clone())]).expect("a layer");
         for d in [along(0.2, -0.5, 0.8), along(0.2, -0.5, -0.3)] {
-            assert_eq!(stack.straight(d), alone.straight(d));
+            let (stacked, alone) = (stack.straight(d).expect("clear"), alone.straight(d).expect("clear"));
+            assert!((stacked.transmittance - alone.transmittance).abs() < 1e-7);
+            assert!((stacked.reflectance - alone.reflectance).abs() < 1e-7);
         }
         let openings =
             Stack::new(vec![Arc::new(ClearGlazing::open()), Arc::new(ClearGlazing::open())]).expect("layers");
@@ -212,11 +310,59 @@ mod tests {
             let share = |through: bool| -> f64 {
                 lobes.beams.iter().filter(|l| (l.direction.z * d.z > 0.0) == through).map(|l| l.power).sum()
             };
-            assert!((share(true) - straight.transmittance).abs() < 1e-6);
-            assert!((share(false) - straight.reflectance).abs() < 1e-6);
+            assert!((share(true) - straight.transmittance).abs() < 1e-9);
+            assert!((share(false) - straight.reflectance).abs() < 1e-9);
             assert!((share(true) + share(false) + lobes.absorbed + lobes.residual - 1.0).abs() < 1e-12);
-            assert!(lobes.residual < 1e-6 && lobes.beams.len() == 2);
+            assert!(lobes.residual < 1e-9 && lobes.beams.len() == 2);
+            // and what each layer keeps is the same, followed and added
+            let (followed, shares) = (stack.outcome(d).absorptance, stack.shares(d));
+            for (a, b) in followed.iter().zip(&shares.absorptance) {
+                assert!((a - b).abs() < 1e-9, "{a} {b}");
+            }
+            let kept: f64 = shares.absorptance.iter().sum();
+            assert!((kept + shares.transmittance + shares.reflectance - 1.0).abs() < 1e-14);
         }
+    }
+
+    /// s light stays s light: two equal panes transmit the mean of what s and p do, which averaging between them misses.
+    #[test]
+    fn polarisation_is_carried_from_pane_to_pane() {
+        let layers = || vec![pane(1.52, 0.0), pane(1.52, 0.0)];
+        let d = along(0.0, -(75.0_f64).to_radians().tan(), 1.0);
+        let resolved = Stack::new(layers()).expect("layers");
+        let averaged = Stack::spectral(vec![(layers(), 1.0)], false).expect("layers");
+        // lossless: n like panes of one polarisation have T = (1 − R) / (1 + (2n − 1) R), R of one face
+        let Split::Partial { amplitude_s, amplitude_p, .. } = (Interface { n_i: 1.0, n_t: 1.52 }).split(d.z) else {
+            panic!("from air all goes in part")
+        };
+        let expected =
+            [amplitude_s, amplitude_p].map(|r| (1.0 - r * r) / (1.0 + 3.0 * r * r)).iter().sum::<f64>() / 2.0;
+        let found = resolved.straight(d).expect("clear").transmittance;
+        assert!((found - expected).abs() < 1e-12);
+        assert!(found - averaged.straight(d).expect("clear").transmittance > 0.02);
+    }
+
+    /// Stokes vectors followed beam by beam are s and p added apart, in any plane of incidence.
+    #[test]
+    fn a_nested_stack_is_its_layers() {
+        let nested: Arc<dyn Glazing> = Arc::new(Stack::new(vec![pane(1.52, 0.02), pane(1.49, 0.0)]).expect("layers"));
+        let whole = Stack::new(vec![nested, pane(1.6, 0.1)]).expect("layers");
+        let flat = Stack::new(vec![pane(1.52, 0.02), pane(1.49, 0.0), pane(1.6, 0.1)]).expect("layers");
+        for d in [along(0.4, -0.7, 0.3), along(-0.8, 0.1, -0.3)] {
+            let (a, b) = (whole.outcome(d), flat.shares(d));
+            let through: f64 = a.beams.iter().filter(|l| l.direction.z * d.z > 0.0).map(|l| l.stokes[0]).sum();
+            assert!((through - b.transmittance).abs() < 1e-8, "{through} {}", b.transmittance);
+            assert!((a.absorptance[0] - b.absorptance[0] - b.absorptance[1]).abs() < 1e-8);
+        }
+    }
+
+    /// What spreads its light and what does not fit is refused.
+    #[test]
+    fn wavelengths_must_fit() {
+        assert!(Stack::spectral(Vec::new(), true).is_err());
+        assert!(Stack::spectral(vec![(vec![pane(1.5, 0.0)], 0.4)], true).is_err());
+        let uneven = vec![(vec![pane(1.5, 0.0)], 0.5), (vec![pane(1.5, 0.0), pane(1.5, 0.0)], 0.5)];
+        assert!(Stack::spectral(uneven, true).is_err());
     }
 
     /// A turning panel between panes: draws leave as often as the beams say, by direction and by count of total reflections.

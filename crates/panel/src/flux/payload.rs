@@ -17,8 +17,6 @@ pub trait Payload: Copy + std::fmt::Debug + Send {
     type Action: Copy + std::fmt::Debug + Send;
     /// Nothing.
     const ZERO: Self;
-    /// Unpolarised light of power one.
-    const UNPOLARISED: Self;
     /// Power.
     fn power(self) -> f64;
     /// Largest component, without its sign.
@@ -34,6 +32,8 @@ pub trait Payload: Copy + std::fmt::Debug + Send {
     fn actions(split: Split, is_film: bool, turns: impl FnOnce() -> Turns) -> Actions<Self::Action>;
     /// As a Stokes vector about the reference axes of its direction.
     fn stokes(self) -> Stokes;
+    /// What it keeps of a Stokes vector.
+    fn of_stokes(stokes: Stokes) -> Self;
 }
 
 /// The turns between the reference axes of the three beams at a boundary and its plane of incidence.
@@ -57,7 +57,6 @@ pub fn film_reflectance(r: f64) -> f64 {
 impl Payload for f64 {
     type Action = f64;
     const ZERO: Self = 0.0;
-    const UNPOLARISED: Self = 1.0;
 
     #[inline]
     fn power(self) -> f64 {
@@ -94,13 +93,16 @@ impl Payload for f64 {
     fn stokes(self) -> Stokes {
         [self, 0.0, 0.0, 0.0]
     }
+
+    fn of_stokes(stokes: Stokes) -> Self {
+        stokes[0]
+    }
 }
 
 /// Powers of s and p light in a plane of incidence that never turns: incidence across the cuts.
 impl Payload for [f64; 2] {
     type Action = [f64; 2];
     const ZERO: Self = [0.0; 2];
-    const UNPOLARISED: Self = [0.5; 2];
 
     #[inline]
     fn power(self) -> f64 {
@@ -136,13 +138,16 @@ impl Payload for [f64; 2] {
     fn stokes(self) -> Stokes {
         [self[0] + self[1], self[0] - self[1], 0.0, 0.0]
     }
+
+    fn of_stokes([power, difference, ..]: Stokes) -> Self {
+        [0.5 * (power + difference), 0.5 * (power - difference)]
+    }
 }
 
 /// Full polarisation, in skew planes of incidence too.
 impl Payload for Stokes {
     type Action = Mueller;
     const ZERO: Self = [0.0; 4];
-    const UNPOLARISED: Self = [1.0, 0.0, 0.0, 0.0];
 
     #[inline]
     fn power(self) -> f64 {
@@ -180,6 +185,10 @@ impl Payload for Stokes {
 
     fn stokes(self) -> Stokes {
         self
+    }
+
+    fn of_stokes(stokes: Stokes) -> Self {
+        stokes
     }
 }
 

@@ -136,8 +136,9 @@ impl<P: Payload> Default for Solver<P> {
 }
 
 impl<P: Payload> Solver<P> {
-    /// Follows a plane wave that travels along `incident` (a unit vector with z ≠ 0) until no more than the tolerance waits.
-    pub fn solve(&mut self, profile: &Profile, media: &Media, incident: Vec3, limits: Limits) {
+    /// Follows a plane wave of this `light`, of power one, that travels along `incident` (a unit vector with z ≠ 0) until no more than
+    /// the tolerance waits.
+    pub fn solve(&mut self, profile: &Profile, media: &Media, (incident, light): (Vec3, P), limits: Limits) {
         self.reset(incident.x);
         self.allowance = DISPLACED_SHARE * limits.tolerance;
         let medium = if incident.z > 0.0 { profile.front() } else { profile.back() };
@@ -146,7 +147,7 @@ impl<P: Payload> Solver<P> {
         let z = if incident.z > 0.0 { z_min } else { z_max };
         let sky = Source { start: Vec2::new(z, 0.0), end: Vec2::new(z, profile.period()), hand: None, medium };
         let entry = self.open_channel(profile, media, sky, direction);
-        self.emit(entry, 0.0, 1.0, Piece { mean: P::UNPOLARISED, slope: P::ZERO, total_reflections: 0 });
+        self.emit(entry, 0.0, 1.0, Piece { mean: light, slope: P::ZERO, total_reflections: 0 });
         while self.pieces < limits.most_pieces && self.bundle_count < MOST_BUNDLES {
             let mut strongest = (0, 0.0);
             let mut waiting = 0.0;

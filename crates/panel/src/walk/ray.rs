@@ -14,7 +14,7 @@ use crate::{
     topology::HalfEdge,
 };
 use hemisphere::{Direction, Frame, Vec3};
-use optics::{Interface, Retarder, Split, mirror, reference_axes, refract};
+use optics::{Interface, Mueller, Retarder, Split, mirror, reference_axes, refract};
 
 /// Facets a ray may meet before it is given up: only light that is all but trapped gets here.
 const MOST_MEETINGS: u32 = 20_000;
@@ -87,21 +87,28 @@ impl Walk {
 
     /// Follows unpolarised light that arrives along `incident`.
     pub fn run(&self, incident: Direction, draw: &mut Draw) -> End {
+        self.run_polarised(incident, [0.0; 3], draw).0
+    }
+
+    /// Follows light that arrives along `incident` with these Stokes parameters over its power, and returns those it leaves with;
+    /// each about the reference axes of its direction.
+    pub fn run_polarised(&self, incident: Direction, polarisation: [f64; 3], draw: &mut Draw) -> (End, [f64; 3]) {
         if let Some(mirrored) = skimming(incident) {
-            return End::Leaves { direction: mirrored.vector(), total_reflections: 0, weight: 1.0 };
+            let end = End::Leaves { direction: mirrored.vector(), total_reflections: 0, weight: 1.0 };
+            return (end, polarisation);
         }
         let incident = incident.vector();
-        let ray = Ray {
-            v: incident,
-            s: reference_axes(incident).0,
-            polarisation: [0.0; 3],
-            weight: 1.0,
-            total_reflections: 0,
-        };
+        let mut ray =
+            Ray { v: incident, s: reference_axes(incident).0, polarisation, weight: 1.0, total_reflections: 0 };
         match self.geometry.enter(draw.uniform(), incident) {
-            Meeting::Facet(hand, at, _) => self.follow(ray, hand, at, draw),
-            Meeting::Outside => End::Leaves { direction: incident, total_reflections: 0, weight: 1.0 },
-            Meeting::Nothing => End::Lost { weight: 1.0 },
+            Meeting::Facet(hand, at, _) => {
+                let end = self.follow(&mut ray, hand, at, draw);
+                let [q, u, v] = ray.polarisation;
+                let [_, q, u, v] = Mueller::out_of_plane(ray.v, ray.s).apply([1.0, q, u, v]);
+                (end, if self.is_resolved { [q, u, v] } else { [0.0; 3] })
+            }
+            Meeting::Outside => (End::Leaves { direction: incident, total_reflections: 0, weight: 1.0 }, polarisation),
+            Meeting::Nothing => (End::Lost { weight: 1.0 }, polarisation),
         }
     }
 
@@ -115,13 +122,13 @@ impl Walk {
         total_reflections: u16,
         draw: &mut Draw,
     ) -> End {
-        let ray = Ray { v, s: reference_axes(v).0, polarisation, weight: 1.0, total_reflections };
-        self.follow(ray, hand, self.geometry.point(hand, s), draw)
+        let mut ray = Ray { v, s: reference_axes(v).0, polarisation, weight: 1.0, total_reflections };
+        self.follow(&mut ray, hand, self.geometry.point(hand, s), draw)
     }
 
-    fn follow(&self, mut ray: Ray, mut hand: HalfEdge, mut at: Vec2, draw: &mut Draw) -> End {
+    fn follow(&self, ray: &mut Ray, mut hand: HalfEdge, mut at: Vec2, draw: &mut Draw) -> End {
         for _ in 0..MOST_MEETINGS {
-            let leaves_by = self.meet(&mut ray, hand, at, draw);
+            let leaves_by = self.meet(ray, hand, at, draw);
             match self.geometry.next(leaves_by, at, ray.v) {
                 Meeting::Facet(next, point, length) => {
                     if self.absorbs {
@@ -131,7 +138,7 @@ impl Walk {
                     (hand, at) = (next, point);
                 }
                 Meeting::Outside => {
-                    let Ray { v: direction, total_reflections, weight, .. } = ray;
+                    let Ray { v: direction, total_reflections, weight, .. } = *ray;
                     return End::Leaves { direction, total_reflections, weight };
                 }
                 Meeting::Nothing => break,
