@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from clerestory._native import __version__
 
 if TYPE_CHECKING:
-    from clerestory.bsdf import Band, Bsdf, KlemsBlock, TreeBlock
+    from clerestory.bsdf import Band, Bsdf, BsdfWarning, KlemsBlock, TreeBlock
     from clerestory.bsdf.xml_read import read_bsdf
     from clerestory.coefficients import SensorWarning, daylight_coefficients
     from clerestory.compare import Comparison, compare
@@ -76,6 +76,7 @@ __all__ = [
     "AbsorptionSpectrum",
     "Band",
     "Bsdf",
+    "BsdfWarning",
     "CieSky",
     "ClerestoryError",
     "Comparison",
@@ -172,6 +173,7 @@ __all__ = [
 _PLACES = {
     "Band": "clerestory.bsdf",
     "Bsdf": "clerestory.bsdf",
+    "BsdfWarning": "clerestory.bsdf",
     "KlemsBlock": "clerestory.bsdf",
     "TreeBlock": "clerestory.bsdf",
     "read_bsdf": "clerestory.bsdf.xml_read",

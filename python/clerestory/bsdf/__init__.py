@@ -2,6 +2,7 @@
 
 from clerestory.bsdf.band import Band
 from clerestory.bsdf.bsdf import Bsdf
+from clerestory.bsdf.checking import Finding
 from clerestory.bsdf.energyplus import EnergyPlusGap, EnergyPlusLayer, energyplus_objects
 from clerestory.bsdf.energyplus_file import write_energyplus
 from clerestory.bsdf.klems import KLEMS_BASES, KlemsBasis, klems_basis
@@ -17,6 +18,7 @@ __all__ = [
     "BsdfWarning",
     "EnergyPlusGap",
     "EnergyPlusLayer",
+    "Finding",
     "KlemsBasis",
     "KlemsBlock",
     "TreeBlock",

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from clerestory import _native
+    from clerestory.bsdf.checking import Finding
 
 BANDS = ("visible", "solar", "x", "z")
 """Names of the bands of a BSDF."""
@@ -97,6 +98,19 @@ class Bsdf:
     def blurred(self) -> Bsdf:
         """The same element known by its tables alone: a room then sees light spread over patches."""
         return replace(self, exact=None)
+
+    def check(self) -> list[Finding]:
+        """What may be wrong with the tables, in plain words.
+
+        Returns
+        -------
+        list of Finding
+            The gravest first; empty if nothing was found. Energy (theory/bsdf.md, eq. 6), reciprocity (eq. 5), negative
+            values, front and back exchanged, incident vectors not negated, and what some programs miss.
+        """
+        from clerestory.bsdf.checking import check
+
+        return check(self)
 
     def to_xml(self, path: str | os.PathLike[str]) -> Path:
         """Writes the BSDF as LBNL's XML (BSDF-v1.4), which Radiance and WINDOW read; whole or not at all.
