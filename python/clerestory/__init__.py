@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 from clerestory._native import __version__
 
 if TYPE_CHECKING:
+    from clerestory.annual_illuminance import annual_illuminance
+    from clerestory.annual_sun import annual_sun_coefficients, sun_placement_difference
     from clerestory.bsdf import Band, Bsdf, BsdfWarning, KlemsBlock, TreeBlock
     from clerestory.bsdf.xml_read import read_bsdf
     from clerestory.coefficients import SensorWarning, daylight_coefficients
@@ -122,7 +124,9 @@ __all__ = [
     "Weather",
     "Window",
     "__version__",
+    "annual_illuminance",
     "annual_light_exposure",
+    "annual_sun_coefficients",
     "annual_sunlight_exposure",
     "annual_uniformity",
     "average_by_group",
@@ -161,6 +165,7 @@ __all__ = [
     "sun_coefficients",
     "sun_illuminance",
     "sun_normal_illuminance_lx",
+    "sun_placement_difference",
     "sun_position",
     "uniformity",
     "useful_daylight_illuminance",
@@ -177,6 +182,9 @@ _PLACES = {
     "KlemsBlock": "clerestory.bsdf",
     "TreeBlock": "clerestory.bsdf",
     "read_bsdf": "clerestory.bsdf.xml_read",
+    "annual_illuminance": "clerestory.annual_illuminance",
+    "annual_sun_coefficients": "clerestory.annual_sun",
+    "sun_placement_difference": "clerestory.annual_sun",
     "SensorWarning": "clerestory.coefficients",
     "daylight_coefficients": "clerestory.coefficients",
     "Comparison": "clerestory.compare",

@@ -35,19 +35,27 @@ class Light(NamedTuple):
     diffuse_horizontal_lx: Array
     direct_normal_lx: Array
 
+    def at(self, rows: Any) -> Light:
+        """The same of some of the times."""
+        return Light(
+            Conditions(*(values[rows] for values in self.conditions)),
+            self.sun_direction[rows],
+            self.diffuse_horizontal_lx[rows],
+            self.direct_normal_lx[rows],
+        )
 
-def light_of(weather: Weather, times: slice = slice(None)) -> Light:
-    """What Perez' models make of a stretch of weather; a sun below the horizon gives no light itself."""
-    frame = weather.frame.iloc[times]
-    altitude = weather.sun.apparent_altitude_deg.values[times]
-    azimuth = weather.sun.azimuth_deg.values[times]
+
+def light_of(weather: Weather) -> Light:
+    """What Perez' models make of weather; a sun below the horizon gives no light itself."""
+    frame = weather.frame
+    altitude, azimuth = weather.sun.apparent_altitude_deg.values, weather.sun.azimuth_deg.values
     direct, diffuse = (frame[column].to_numpy(dtype=np.float64) for column in (DIRECT, DIFFUSE))
     dew_point = frame[DEW_POINT].to_numpy(dtype=np.float64) if DEW_POINT in frame else DEW_POINT_C
     conditions = sky_conditions(
         direct_normal_irradiance_w_m2=direct,
         diffuse_horizontal_irradiance_w_m2=diffuse,
         sun_altitude_deg=altitude,
-        extraterrestrial_irradiance_w_m2=SOLAR_CONSTANT_W_M2 / weather.sun_distance_au[times] ** 2,
+        extraterrestrial_irradiance_w_m2=SOLAR_CONSTANT_W_M2 / weather.sun_distance_au**2,
     )
     sun_lx = direct * direct_efficacy_lm_w(conditions, dew_point_c=dew_point)
     return Light(
@@ -58,9 +66,9 @@ def light_of(weather: Weather, times: slice = slice(None)) -> Light:
     )
 
 
-def time_coordinates(weather: Weather, times: slice = slice(None)) -> dict[str, Any]:
+def time_coordinates(weather: Weather) -> dict[str, Any]:
     """Coordinates of the dimension "time": UTC without a zone, and the wall clock."""
-    return {name: weather.sun[name][times] for name in ("time", "local_time")}
+    return {name: weather.sun[name] for name in ("time", "local_time")}
 
 
 def sun_normal_illuminance_lx(weather: Weather) -> xr.DataArray:
