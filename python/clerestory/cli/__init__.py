@@ -3,6 +3,7 @@
 import typer
 
 from clerestory.cli.convert import convert
+from clerestory.cli.design import design
 from clerestory.cli.doctor import doctor
 from clerestory.cli.one_line import OneLineGroup
 from clerestory.cli.panel import panel
@@ -22,6 +23,7 @@ app = typer.Typer(
 app.add_typer(panel, name="panel")
 app.command("room")(room)
 app.command("sweep")(sweep)
+app.command("design")(design)
 app.command("convert")(convert)
 app.command("doctor")(doctor)
 

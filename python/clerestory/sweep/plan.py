@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -37,6 +37,8 @@ class Case:
         The files that they name.
     key : str
         The hash of all that and of the program: the name of its result.
+    where : Path
+        The folder that paths in the tables refer to.
     """
 
     number: int
@@ -45,6 +47,7 @@ class Case:
     tables: dict[str, Any] = field(repr=False)
     files: dict[str, str] = field(repr=False)
     key: str
+    where: Path = Path()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -91,9 +94,19 @@ class Sweep:
         for one in self.parameters:
             for path in one.paths:
                 put(tables, path, copy.deepcopy(values[one.name]))
-        files = files_of(tables, self.where)
-        key = key_of(self.kind, tables, files)
-        return Case(number=number, values=values, kind=self.kind, tables=tables, files=files, key=key)
+        case = case_of(number, values, self.kind, tables, self.where)
+        if self.sensors_per_task is None:
+            return case
+        # other random numbers: another result, though the same within its errors
+        split = tables | {"sensors_per_task": self.sensors_per_task}
+        return replace(case, key=key_of(self.kind, split, case.files))
+
+
+def case_of(number: int, values: Values, kind: str, tables: dict[str, Any], where: Path) -> Case:
+    """A case with its files and its hash."""
+    files = files_of(tables, where)
+    key = key_of(kind, tables, files)
+    return Case(number=number, values=values, kind=kind, tables=tables, files=files, key=key, where=where)
 
 
 def read_sweep(path: str | os.PathLike[str]) -> Sweep:
