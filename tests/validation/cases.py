@@ -19,6 +19,7 @@ CASES = (
     "laser_cut_total",
     "prism_rtrace",
     "measured_glass",
+    "layered_glazing",
     "exact_monte_carlo",
     "float_glass",
     "deflected_fraction",
