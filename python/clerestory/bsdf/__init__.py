@@ -7,6 +7,7 @@ from clerestory.bsdf.energyplus import EnergyPlusGap, EnergyPlusLayer, energyplu
 from clerestory.bsdf.energyplus_file import write_energyplus
 from clerestory.bsdf.klems import KLEMS_BASES, KlemsBasis, klems_basis
 from clerestory.bsdf.klems_block import KlemsBlock
+from clerestory.bsdf.layers import LayeredBand, LayeredBsdf, layered_band, layered_bsdf
 from clerestory.bsdf.rebasing import in_basis
 from clerestory.bsdf.told import BsdfWarning
 from clerestory.bsdf.tree_block import TreeBlock
@@ -21,9 +22,13 @@ __all__ = [
     "Finding",
     "KlemsBasis",
     "KlemsBlock",
+    "LayeredBand",
+    "LayeredBsdf",
     "TreeBlock",
     "energyplus_objects",
     "in_basis",
     "klems_basis",
+    "layered_band",
+    "layered_bsdf",
     "write_energyplus",
 ]

@@ -31,7 +31,9 @@ def stack_of(files: tuple[str, ...]) -> Stack:
 def visible(stack: Stack, theta_deg: object, polarisation: str) -> Floats:
     """T, R and the absorptance of each layer, shape (share, theta)."""
     wavelength_nm = luminous_efficiency()[0]
-    return np.array([photopic_mean(wavelength_nm, row) for row in shares(stack, theta_deg, wavelength_nm, polarisation)])
+    return np.array(
+        [photopic_mean(wavelength_nm, row) for row in shares(stack, theta_deg, wavelength_nm, polarisation)]
+    )
 
 
 def solar(stack: Stack, source: list[list[float]]) -> Floats:

@@ -1,4 +1,4 @@
-"""What Berkeley Lab's engine says of layers of glass, computed in a process of its own: it can crash, and takes ours with it."""
+"""What Berkeley Lab's engine says of layers, computed in a process of its own: it can crash and take ours with it."""
 
 from __future__ import annotations
 
@@ -21,8 +21,9 @@ def wincalc(request: dict[str, Any]) -> dict[str, Any]:
     Returns
     -------
     dict
-        Method → ``transmittance``, ``reflectance`` (theta,), ``absorptance`` (layer, theta) of front light,
-        ``diffuse`` transmittance and reflectance, ``matrices`` by name; and ``source``, wavelengths [nm] and power of sunlight.
+        Method → a row for each angle with ``front`` and ``back`` (such as "transmission direct_direct"; at the first
+        angle "transmission matrix" if asked for) and the ``absorptance`` of each layer of light on the front;
+        ``source``: wavelengths [nm] and power of the standard's sunlight.
     """
     answer = subprocess.run(
         [sys.executable, __file__], input=json.dumps(request), capture_output=True, text=True, check=False, timeout=300
