@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from clerestory.annual_illuminance import annual_illuminance
     from clerestory.annual_sun import annual_sun_coefficients, sun_placement_difference
     from clerestory.bsdf import Band, Bsdf, BsdfWarning, KlemsBlock, TreeBlock
-    from clerestory.bsdf.xml_read import read_bsdf
+    from clerestory.bsdf.reading import read_bsdf
     from clerestory.coefficients import SensorWarning, daylight_coefficients
     from clerestory.compare import Comparison, compare
     from clerestory.drawing.line import Face, Outline
@@ -181,10 +181,10 @@ _PLACES = {
     "BsdfWarning": "clerestory.bsdf",
     "KlemsBlock": "clerestory.bsdf",
     "TreeBlock": "clerestory.bsdf",
-    "read_bsdf": "clerestory.bsdf.xml_read",
     "annual_illuminance": "clerestory.annual_illuminance",
     "annual_sun_coefficients": "clerestory.annual_sun",
     "sun_placement_difference": "clerestory.annual_sun",
+    "read_bsdf": "clerestory.bsdf.reading",
     "SensorWarning": "clerestory.coefficients",
     "daylight_coefficients": "clerestory.coefficients",
     "Comparison": "clerestory.compare",

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import MISSING, fields
+from dataclasses import MISSING, fields, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from clerestory.bsdf.bsdf import Bsdf
 from clerestory.errors import ClerestoryError
 from clerestory.glazing import Glass, Glazing, Open, PlainTransmittance, Slab, Stack, TregenzaSharples
 from clerestory.layers.gap import Gap
@@ -68,12 +69,14 @@ def read_glazing(table: Table, named: Callable[[Any], Glazing], folder: Path) ->
     ClerestoryError
         If the kind is unknown, or a parameter is unknown, missing or out of range.
     """
+    if table.values.get("kind") == "bsdf":
+        return _read_bsdf(table, folder)
     if "file" in table.values:
         path = folder / str(table.take("file"))
         table.finish()
         return read_panel(path)
     panels = panel_kinds()
-    word = one_of(f"kind of {table.where}", table.take("kind"), (*KINDS, *panels))
+    word = one_of(f"kind of {table.where}", table.take("kind"), (*KINDS, "bsdf", *panels))
     if word in panels:
         try:
             return panel_from_dict({"kind": word, **table.values})
@@ -101,6 +104,20 @@ def _layer(layer: Glazing | Gap, name_of: Callable[[Glazing], str]) -> str | dic
     return {"width_mm": layer.width_mm, "gas": layer.gas} if isinstance(layer, Gap) else name_of(layer)
 
 
+def _read_bsdf(table: Table, folder: Path) -> Glazing:
+    """The BSDF of a file, which keeps how the table names it."""
+    from clerestory.bsdf.reading import read_bsdf
+
+    table.take("kind")
+    name, blurred = table.take("file"), table.take("blurred", False)
+    table.finish()
+    if not isinstance(name, str) or not isinstance(blurred, bool):
+        raise ClerestoryError(f"{table.where} must have a path as file and true or false as blurred")
+    bsdf = read_bsdf(folder / name)
+    bsdf = replace(bsdf, attrs=bsdf.attrs | {"file": name})
+    return bsdf.blurred() if blurred else bsdf
+
+
 def build(kind: type[Any], table: Table) -> Any:
     """A dataclass from a table whose keys are its parameters."""
     parameters = fields(kind)
@@ -125,6 +142,12 @@ def write_glazing(glazing: Glazing, name_of: Callable[[Glazing], str]) -> dict[s
     """
     if isinstance(glazing, Panel):
         return panel_to_dict(glazing)
+    if isinstance(glazing, Bsdf):
+        if "file" not in glazing.attrs:
+            raise ClerestoryError(
+                f"the BSDF {glazing.name!r} must be in a file to be written as TOML; write it, then use read_bsdf's"
+            )
+        return {"kind": "bsdf", "file": glazing.attrs["file"]}
     word = next((word for word, kind in KINDS.items() if type(glazing) is kind), None)
     if word is None:
         raise ClerestoryError(f"glazing must be one of {', '.join(KINDS)} to be written as TOML, got {glazing!r}")

@@ -8,6 +8,8 @@ from clerestory.bsdf.energyplus_file import write_energyplus
 from clerestory.bsdf.klems import KLEMS_BASES, KlemsBasis, klems_basis
 from clerestory.bsdf.klems_block import KlemsBlock
 from clerestory.bsdf.layers import LayeredBand, LayeredBsdf, layered_band, layered_bsdf
+from clerestory.bsdf.radiance_matrix import read_radiance_matrix, write_radiance_matrix
+from clerestory.bsdf.radiance_scene import radiance_snippet
 from clerestory.bsdf.rebasing import in_basis
 from clerestory.bsdf.told import BsdfWarning
 from clerestory.bsdf.tree_block import TreeBlock
@@ -30,5 +32,8 @@ __all__ = [
     "klems_basis",
     "layered_band",
     "layered_bsdf",
+    "radiance_snippet",
+    "read_radiance_matrix",
     "write_energyplus",
+    "write_radiance_matrix",
 ]

@@ -15,8 +15,11 @@ if TYPE_CHECKING:
     import os
     from pathlib import Path
 
+    import xarray as xr
+
     from clerestory import _native
     from clerestory.bsdf.checking import Finding
+    from clerestory.bsdf.klems import KlemsBasis
 
 BANDS = ("visible", "solar", "x", "z")
 """Names of the bands of a BSDF."""
@@ -140,6 +143,47 @@ class Bsdf:
     @classmethod
     def from_xml(cls, path: str | os.PathLike[str], *, strict: bool = True) -> Bsdf:
         """The BSDF of an XML file; arguments, result and errors as of :func:`clerestory.read_bsdf`."""
-        from clerestory.bsdf.xml_read import read_bsdf
+        from clerestory.bsdf.xml_read import read_xml
 
-        return read_bsdf(path, strict=strict)
+        return read_xml(path, strict=strict)
+
+    def to_dataset(self) -> xr.Dataset:
+        """The tables as a Dataset, which :func:`clerestory.save` writes to NetCDF.
+
+        Returns
+        -------
+        Dataset
+            A variable for each block (``visible_transmission_front`` …) [1/sr]: matrices over (outgoing, incident)
+            patches with their standard errors, trees as their walks. Attributes hold the rings of the bases, where it
+            comes from, and the exact element as the table of a room file.
+        """
+        from clerestory.bsdf.own_file import to_dataset
+
+        return to_dataset(self)
+
+    @classmethod
+    def from_dataset(cls, dataset: xr.Dataset) -> Bsdf:
+        """The BSDF of a Dataset that :meth:`to_dataset` made.
+
+        Raises
+        ------
+        ClerestoryError
+            If it is no such Dataset.
+        """
+        from clerestory.bsdf.own_file import of_dataset
+
+        return of_dataset(dataset)
+
+    def in_basis(self, basis: str | KlemsBasis) -> Bsdf:
+        """The BSDF as matrices of a Klems basis, the power of each direction kept (theory/bsdf.md, eq. 9).
+
+        Parameters
+        ----------
+        basis : {"klems_full", "klems_half", "klems_quarter"} or KlemsBasis
+        """
+        from clerestory.bsdf.rebasing import in_basis
+
+        turned = {
+            name: Band(**{direction: in_basis(block, basis) for direction, block in band}) for name, band in self.bands
+        }
+        return replace(self, **turned)  # type: ignore[arg-type]

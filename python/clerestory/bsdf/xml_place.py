@@ -106,7 +106,9 @@ def root_of(path: Path) -> Place:
         ) from None
     except ParseError as error:
         line = content[:begin].count(b"\n") + error.position[0]
-        raise ClerestoryError(f"{path} must be well-formed XML, got {str(error).split(':')[0]} at line {line}") from None
+        raise ClerestoryError(
+            f"{path} must be well-formed XML, got {str(error).split(':')[0]} at line {line}"
+        ) from None
     except (LookupError, ValueError) as error:
         raise ClerestoryError(f"{path} must be XML in UTF-8 or another encoding that is known, got: {error}") from None
     return Place(element, _bare(element.tag), str(path))

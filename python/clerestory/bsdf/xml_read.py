@@ -41,29 +41,8 @@ _MILLIMETRES = {
 }
 
 
-def read_bsdf(path: str | os.PathLike[str], *, strict: bool = True) -> Bsdf:
-    """A window element from an XML file of LBNL's format, as WINDOW, genBSDF and others write it.
-
-    Parameters
-    ----------
-    path : path
-        Text before the XML is skipped. Matrices of any rings, by rows or columns, and tensor trees of rank 3 and 4.
-    strict : bool, default True
-        Refuse negative values and blocks that send away more than 1.01 of the power. False keeps them for
-        :meth:`Bsdf.check` to tell of.
-
-    Returns
-    -------
-    Bsdf
-        With the four blocks of each band that the file holds (visible, solar, CIE X and Z). A direction that is missing
-        is filled by reciprocity or with zero, and told as a :class:`~clerestory.bsdf.BsdfWarning`. ``attrs`` hold the
-        file's name and digest, and the material's ``emissivity_front`` and others.
-
-    Raises
-    ------
-    ClerestoryError
-        If the file is no such XML, or its numbers cannot be: with the path of the element.
-    """
+def read_xml(path: str | os.PathLike[str], *, strict: bool = True) -> Bsdf:
+    """The BSDF of an XML file; arguments, result and errors as of :func:`clerestory.read_bsdf`."""
     where = Path(path)
     root = root_of(where)
     if root.name != "WindowElement":
