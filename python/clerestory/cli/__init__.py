@@ -9,6 +9,7 @@ from clerestory.cli.one_line import OneLineGroup
 from clerestory.cli.panel import panel
 from clerestory.cli.room import room
 from clerestory.cli.sweep import sweep
+from clerestory.cli.weather import weather
 
 app = typer.Typer(
     cls=OneLineGroup,
@@ -25,6 +26,7 @@ app.command("room")(room)
 app.command("sweep")(sweep)
 app.command("design")(design)
 app.command("convert")(convert)
+app.command("weather")(weather)
 app.command("doctor")(doctor)
 
 __all__ = ["app"]

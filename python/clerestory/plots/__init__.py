@@ -9,6 +9,7 @@ from clerestory.plots.room_plan import room_plan
 from clerestory.plots.room_section import room_section
 from clerestory.plots.section import section
 from clerestory.plots.sky_dome import sky_dome
+from clerestory.plots.weather_carpet import weather_carpet
 
 __all__ = [
     "deflected_fraction",
@@ -20,4 +21,5 @@ __all__ = [
     "room_section",
     "section",
     "sky_dome",
+    "weather_carpet",
 ]
