@@ -1,7 +1,9 @@
 //! Where rays end, and who sees whom.
 
+mod eight;
 mod few;
 mod many;
+mod quad;
 
 use crate::facet::Facet;
 use few::Few;
