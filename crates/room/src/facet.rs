@@ -135,6 +135,28 @@ impl Facet {
         }
     }
 
+    /// What [`Self::point`] makes a point of the facet from.
+    pub fn coordinates(&self, p: Vec3) -> [f64; 2] {
+        match &self.shape {
+            Shape::Parallelogram(corner) => corner.place(p),
+            Shape::Triangle(corner) => unfold(corner.place(p)),
+            Shape::Polygon { pieces, .. } => {
+                let whole = pieces.last().map_or(0.0, |piece| piece.area_to_here);
+                let places = pieces.iter().map(|piece| {
+                    let [o, a, b] = piece.corners;
+                    let [s, t] = Corner::of(o, [a - o, b - o]).map_or([-1.0; 2], |(corner, ..)| corner.place(p));
+                    ([s, t], s.min(t).min(1.0 - s - t))
+                });
+                // rounding may put a point on an edge outside of both its triangles: take the nearest
+                let best = places.enumerate().max_by(|(_, a), (_, b)| a.1.total_cmp(&b.1));
+                let Some((i, (place, _))) = best else { return [0.0; 2] };
+                let before = if i == 0 { 0.0 } else { pieces[i - 1].area_to_here };
+                let [u, v] = unfold(place);
+                [(before + u.clamp(0.0, 1.0) * (pieces[i].area_to_here - before)) / whole, v]
+            }
+        }
+    }
+
     /// Its corners, for boxes and side tests.
     pub fn corners(&self) -> Vec<Vec3> {
         match &self.shape {
@@ -170,6 +192,12 @@ fn fold(u: [f64; 2]) -> [f64; 2] {
     [1.0 - r, u[1] * r]
 }
 
+/// The inverse of [`fold`].
+fn unfold([s, t]: [f64; 2]) -> [f64; 2] {
+    let r = 1.0 - s;
+    [r * r, if r > 0.0 { t / r } else { 0.0 }]
+}
+
 fn parallelogram(outline: &Outline, v: &[Vec3]) -> Option<Shape> {
     if outline.loops.len() > 1 || v.len() != 4 {
         return None;
@@ -203,8 +231,11 @@ mod tests {
             let n = 20_000;
             let mut sum = 0.0;
             for _ in 0..n {
-                let p = facet.point([rng.uniform(), rng.uniform()]);
+                let u = [rng.uniform(), rng.uniform()];
+                let p = facet.point(u);
                 assert!(facet.holds(p) && facet.height(p).abs() < 1e-12);
+                let back = facet.coordinates(p);
+                assert!((back[0] - u[0]).abs() + (back[1] - u[1]).abs() < 1e-9, "{u:?} {back:?}");
                 sum += p.x;
             }
             assert!((sum / f64::from(n) - mean).abs() < 5.0 * 1.2 / f64::from(n).sqrt(), "{}", sum / f64::from(n));

@@ -18,5 +18,6 @@ pub use surface::{Kind, Material, Medium};
 pub use transport::Part;
 pub use transport::centre::{CentreCoefficients, centre_coefficients};
 pub use transport::coefficients::{DaylightCoefficients, daylight_coefficients};
-pub use transport::rounds::{Component, Progress, Settings};
+pub use transport::rounds::Component;
+pub use transport::settings::{Progress, Settings};
 pub use transport::sun::{SunCoefficients, sun_coefficients};

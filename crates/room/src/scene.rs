@@ -71,6 +71,22 @@ impl Scene {
     }
 }
 
+impl Scene {
+    /// What [`Self::point_on`] makes a point of a facet from, within its surface.
+    pub(crate) fn coordinates(&self, facet: u32, p: Vec3) -> [f64; 2] {
+        let shape = self.facet(facet);
+        let Range { start, end } = self.surfaces[shape.surface as usize].facets;
+        let [u, v] = shape.coordinates(p);
+        if end - start == 1 {
+            return [u, v];
+        }
+        let areas = &self.area_to_here[start as usize..end as usize];
+        let i = (facet - start) as usize;
+        let before = if i == 0 { 0.0 } else { areas[i - 1] };
+        [(before + u.clamp(0.0, 1.0) * (areas[i] - before)) / areas[areas.len() - 1], v]
+    }
+}
+
 /// A scene being put together.
 #[derive(Default)]
 pub struct SceneBuilder {

@@ -164,7 +164,7 @@ impl SkyBasis {
     }
 
     /// Luminances, but for a factor, of the traditional overcast sky (1 + 2 sin γ)/3, averaged over each patch, and of ground of
-    /// this reflectance under it (Moon and Spencer 1942; theory/room.md, eq. 10).
+    /// this reflectance under it (Moon and Spencer 1942; theory/room.md, eq. 11).
     pub fn overcast(&self, ground_reflectance: f64) -> Vec<f64> {
         let mut luminance: Vec<f64> = (0..self.ground())
             .map(|index| {

@@ -1,8 +1,10 @@
 //! Daylight coefficients of the sky's patches and the ground.
 
 use super::path::Light;
-use super::rounds::{Component, Progress, Settings, run};
+use super::rounds::{Component, run};
 use super::sensors::Sensors;
+use super::settings::{Progress, Settings};
+use super::sky::Sky;
 use crate::RoomError;
 use crate::scene::Scene;
 use hemisphere::{SkyBasis, Vec3};
@@ -48,7 +50,8 @@ pub fn daylight_coefficients(
     settings.check()?;
     let weights = weights(settings, basis)?;
     let sensors = Sensors::new(scene, points, normals)?;
-    let found = run(scene, &sensors, settings, &weights, |_| Ok(Light::Sky(basis)), go_on)?;
+    let sky = Sky::new(basis);
+    let found = run(scene, &sensors, settings, &weights, |_| Ok(Light::Sky(&sky)), go_on)?;
     Ok(DaylightCoefficients {
         sensors: sensors.len(),
         patches: basis.patches(),

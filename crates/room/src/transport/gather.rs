@@ -1,8 +1,9 @@
 //! One round for one group of sensors: what each finds on its own, and what the shared nodes send it.
 
-use super::nodes::{Node, NodeDensity, Shared};
+use super::nodes::Node;
 use super::numbers::Numbers;
-use super::path::{Path, Techniques, Vertex};
+use super::path::{Found, Link, Path, Techniques, Vertex};
+use super::plan::Own;
 use super::sensors::Sensors;
 use super::walk::Walker;
 use super::{Entry, Part};
@@ -44,78 +45,90 @@ impl Round {
     }
 }
 
-/// How much work one sensor does by itself.
-#[derive(Clone, Copy, Debug)]
-pub struct Own {
-    /// Window points.
-    pub window_points: u32,
-    /// Directions in each patch of the sky, looked for behind windows that turn no light.
-    pub patch_directions: u32,
-    /// Directions over the hemisphere.
-    pub directions: u32,
+/// What the sensors do in one lot of a round.
+pub struct Task<'a> {
+    pub walker: &'a Walker<'a>,
+    pub sensors: &'a Sensors,
+    /// Each sensor's own work in the round.
+    pub own: &'a [Own],
+    pub seed: u64,
+    pub lot: usize,
+    pub lots: usize,
 }
 
-/// Fills `round` with what the sensors of `group` find.
-pub fn gather(
-    walker: &Walker<'_>,
-    sensors: &Sensors,
-    group: Range<usize>,
-    own: &[Own],
-    shared: &Shared<'_>,
-    seed: u64,
-    round: &mut Round,
-) {
-    round.clear();
-    let mut entries = Vec::new();
-    for (s, i) in group.clone().enumerate() {
-        explore(walker, sensors, i, own[i], shared.density, seed, &mut entries);
-        for Entry { patch, part, value } in entries.drain(..) {
-            round.row(part, patch)[s] += value;
+/// What the radiance of each node counts for at each sensor, layer by layer.
+type NodeWeights = Vec<Vec<[f64; GROUP]>>;
+
+impl Task<'_> {
+    /// Adds to `round` what the sensors of `group` find.
+    pub fn gather(&self, group: Range<usize>, round: &mut Round) {
+        let layers = self.walker.layers;
+        let lanes = Lanes::of(self.sensors, group.clone(), self.own);
+        let mut weights: NodeWeights = layers.iter().map(|layer| vec![[0.0; GROUP]; layer.nodes.len()]).collect();
+        for (node, weights) in layers[0].nodes.iter().zip(&mut weights[0]) {
+            if !(node.entries.is_empty() && node.links.is_empty()) {
+                *weights = lanes.weights(self.walker, node);
+            }
         }
-    }
-    let lanes = Lanes::of(sensors, group, own);
-    for node in shared.nodes.iter().filter(|node| !node.entries.is_empty()) {
-        let weights = lanes.weights(walker, node);
-        if weights == [0.0; GROUP] {
-            continue;
+        let mut found = Found::default();
+        for (s, i) in group.enumerate() {
+            self.explore(i, &mut found);
+            for Entry { patch, part, value } in found.entries.drain(..) {
+                round.row(part, patch)[s] += value;
+            }
+            for Link { depth, to, weight } in found.links.drain(..) {
+                weights[depth as usize][to as usize][s] += weight;
+            }
         }
-        for &Entry { patch, part, value } in &node.entries {
-            let row = round.row(part, patch);
-            for (sum, weight) in row.iter_mut().zip(&weights) {
-                *sum += weight * value;
+        for (depth, layer) in layers.iter().enumerate() {
+            let (here, deeper) = weights.split_at_mut(depth + 1);
+            let seen = layer.nodes.iter().zip(&here[depth]).filter(|(_, weights)| **weights != [0.0; GROUP]);
+            for (node, weights) in seen {
+                for &Entry { patch, part, value } in &layer.found.entries[node.entries.clone()] {
+                    add(round.row(part, patch), weights, value);
+                }
+                for link in &layer.found.links[node.links.clone()] {
+                    add(&mut deeper[link.depth as usize - depth - 1][link.to as usize], weights, link.weight);
+                }
             }
         }
     }
+
+    /// What one sensor finds through windows and along directions of its own (theory/room.md, eqs. 3–6).
+    fn explore(&self, i: usize, out: &mut Found) {
+        let Self { walker, sensors, own, lot, lots, .. } = *self;
+        let own = own[i];
+        let vertex = Vertex { place: sensors.place(i), normal: sensors.normal(i), facet: NO_FACET };
+        let techniques = Techniques {
+            directions: f64::from(own.directions),
+            window_points: own.window_points,
+            per_sr: own.per_sr,
+            nodes: Some(&walker.layers[0].density),
+            of_sensor: true,
+        };
+        // sensors draw independent points, so that their errors do not line up
+        let seed = Rng::new(self.seed, i as u64).bits();
+        if lot == 0 {
+            let mut path = Path { numbers: Numbers::new(Sobol { seed }, 0), out };
+            walker.look_out(&vertex, PI, &techniques, 0, &mut path);
+            walker.look_at_patches(&vertex, PI, &techniques, &mut path);
+        }
+        let directions = Sobol { seed: !seed };
+        // each lot takes its part of the directions
+        let part = |lot: usize| (u64::from(own.directions) * lot as u64 / lots as u64) as u32;
+        for index in part(lot)..part(lot + 1) {
+            let mut path = Path { numbers: Numbers::new(directions, index), out };
+            let event = path.numbers.event();
+            let beta = PI / f64::from(own.directions);
+            walker.scattered(&vertex, beta, techniques, 0, event.start(), &mut path);
+        }
+    }
 }
 
-/// What one sensor finds through windows and along directions of its own (theory/room.md, eqs. 3–6).
-fn explore(
-    walker: &Walker<'_>,
-    sensors: &Sensors,
-    i: usize,
-    own: Own,
-    density: &NodeDensity,
-    seed: u64,
-    out: &mut Vec<Entry>,
-) {
-    let vertex = Vertex { place: sensors.place(i), normal: sensors.normal(i), facet: NO_FACET };
-    let techniques = Techniques {
-        directions: f64::from(own.directions),
-        window_points: own.window_points,
-        patch_directions: own.patch_directions,
-        nodes: Some(density),
-    };
-    // sensors draw independent points, so that their errors do not line up
-    let seed = Rng::new(seed, i as u64).bits();
-    let mut path = Path { numbers: Numbers::new(Sobol { seed }, 0), out };
-    walker.look_out(&vertex, PI, &techniques, 0, &mut path);
-    walker.look_at_patches(&vertex, PI, &techniques, &mut path);
-    let directions = Sobol { seed: !seed };
-    for index in 0..own.directions {
-        let mut path = Path { numbers: Numbers::new(directions, index), out };
-        let event = path.numbers.event();
-        let beta = PI / f64::from(own.directions);
-        walker.scattered(&vertex, beta, techniques, 0, event.start(), &mut path);
+#[inline]
+fn add(sums: &mut [f64; GROUP], weights: &[f64; GROUP], value: f64) {
+    for (sum, weight) in sums.iter_mut().zip(weights) {
+        *sum += weight * value;
     }
 }
 
@@ -157,7 +170,8 @@ impl Lanes {
             let cos_there = -(x * n.x + y * n.y + z * n.z);
             let d2 = x * x + y * y + z * z;
             let form = cos_here.max(0.0) * cos_there.max(0.0) / (d2 * d2).max(f64::MIN_POSITIVE);
-            *weight = form / (node.per_m2 + self.directions[s] * form);
+            let by_direction = self.directions[s] * form;
+            *weight = form * node.per_m2 / (node.per_m2 * node.per_m2 + by_direction * by_direction);
         }
         for (weight, place) in weights.iter_mut().zip(&self.places) {
             if *weight > 0.0 && !walker.scene.tracer.visible(place, &node.vertex.place) {

@@ -36,27 +36,31 @@ impl Sight {
         cos_there / (self.distance * self.distance)
     }
 
-    /// Points per m² by all techniques together; `patches` directions are drawn in each patch if the window turns no light.
-    fn density(&self, walker: &Walker<'_>, techniques: &Techniques<'_>, patches: u32) -> f64 {
+    /// Points per m² by window points and directions together.
+    fn density(&self, walker: &Walker<'_>, techniques: &Techniques<'_>) -> f64 {
         let by_point =
             f64::from(techniques.window_points) * walker.portals.density(walker.scene, self.facet, self.from);
-        let by_patch = match walker.light {
-            Light::Sky(basis) if patches > 0 && self.direction.z >= 0.0 => {
-                f64::from(patches) / basis.solid_angle(basis.find(self.direction)) * self.per_sr(walker)
-            }
-            _ => 0.0,
-        };
-        by_point + by_patch + techniques.directions * self.by_direction(walker)
+        by_point + techniques.directions * self.by_direction(walker)
     }
 
-    /// What one point found by any technique counts for in the mean radiance (balance heuristic).
-    fn weight(&self, walker: &Walker<'_>, techniques: &Techniques<'_>, patches: u32) -> f64 {
-        self.by_direction(walker) / self.density(walker, techniques, patches)
+    /// What one point found by either counts for in the mean radiance (balance heuristic).
+    fn weight(&self, walker: &Walker<'_>, techniques: &Techniques<'_>) -> f64 {
+        self.by_direction(walker) / self.density(walker, techniques)
     }
 
-    /// The part of the light that directions by the cosine law are left with.
-    pub fn share_of_directions(&self, walker: &Walker<'_>, techniques: &Techniques<'_>, patches: u32) -> f64 {
-        techniques.directions * self.weight(walker, techniques, patches)
+    /// The part of the light that directions by the cosine law are left with. A window that is `straight`, turns no light, shows the
+    /// sky to a sensor patch by patch: to nothing else.
+    pub fn share_of_directions(&self, walker: &Walker<'_>, techniques: &Techniques<'_>, straight: bool) -> f64 {
+        if self.is_by_patch(techniques, straight) {
+            0.0
+        } else {
+            techniques.directions * self.weight(walker, techniques)
+        }
+    }
+
+    /// Whether this is left to the directions drawn in the patches of the sky.
+    fn is_by_patch(&self, techniques: &Techniques<'_>, straight: bool) -> bool {
+        straight && techniques.per_sr > 0.0 && self.direction.z >= 0.0
     }
 }
 
@@ -67,9 +71,10 @@ impl Walker<'_> {
             suns.shine_on(self, vertex, beta, bounces, path);
             return;
         }
-        let sobol = Sobol { seed: path.numbers.rng.bits() };
+        let spread = path.numbers.window();
         for index in 0..techniques.window_points {
-            let Some(Drawn { surface, facet, point }) = self.portals.draw(self.scene, &sobol.point(index, 0)) else {
+            let Some(Drawn { surface, facet, point }) = self.portals.draw(self.scene, |d| spread.coordinate(index, d))
+            else {
                 return;
             };
             let way = point - vertex.place.position;
@@ -77,35 +82,32 @@ impl Walker<'_> {
             let direction = way / distance;
             let sight =
                 Sight { facet, from: vertex.place.position, direction, distance, cos: direction.dot(vertex.normal) };
-            self.look(vertex, &sight, surface, beta, techniques, bounces, path);
+            self.look(vertex, &sight, surface, beta, techniques, bounces, None, path);
         }
     }
 
     /// Light arriving at a sensor along directions drawn evenly in every patch of the sky, through windows that turn no light.
     pub fn look_at_patches(&self, vertex: &Vertex, beta: f64, techniques: &Techniques<'_>, path: &mut Path<'_>) {
-        let Light::Sky(basis) = self.light else { return };
-        if techniques.patch_directions == 0 || self.portals.is_empty() {
+        let Light::Sky(sky) = self.light else { return };
+        if techniques.per_sr == 0.0 {
             return;
         }
-        for patch in 0..basis.ground() {
-            let sobol = Sobol { seed: path.numbers.rng.bits() };
-            for index in 0..techniques.patch_directions {
-                let u = sobol.point(index, 0);
-                let direction = basis.sample(patch, [u.coordinate(0), u.coordinate(1)]);
-                let cos = direction.dot(vertex.normal);
-                if cos <= 0.0 {
-                    continue;
-                }
-                for (surface, facet) in self.portals.windows() {
-                    let shape = self.scene.facet(facet);
-                    let distance = -shape.height(vertex.place.position) / shape.normal.dot(direction);
-                    if distance > 0.0 && shape.holds(vertex.place.position + distance * direction) {
-                        let sight = Sight { facet, from: vertex.place.position, direction, distance, cos };
-                        if matches!(&self.scene.surfaces[surface as usize].kind, Kind::Window { glazing, frame }
-                            if glazing.straight(Direction::from_unit(frame.inward(direction))).is_some())
-                        {
-                            self.look(vertex, &sight, surface, beta, techniques, 0, path);
-                        }
+        let from = vertex.place.position;
+        for (surface, facet) in self.portals.straight() {
+            let Some(seen) = self.portals.seen(self.scene, facet, from) else { continue };
+            let shape = self.scene.facet(facet);
+            let height = shape.height(from);
+            for patch in sky.touched(seen.axis, seen.half_angle) {
+                let sobol = Sobol { seed: path.numbers.rng.bits() };
+                let each = 1.0 / (PI * sky.density(patch, techniques.per_sr));
+                for index in 0..sky.directions(patch, techniques.per_sr) {
+                    let u = sobol.point(index, 0);
+                    let direction = sky.basis.sample(patch, [u.coordinate(0), u.coordinate(1)]);
+                    let distance = -height / shape.normal.dot(direction);
+                    if distance > 0.0 && shape.holds(from + distance * direction) {
+                        let cos = direction.dot(vertex.normal);
+                        let sight = Sight { facet, from, direction, distance, cos };
+                        self.look(vertex, &sight, surface, beta, techniques, 0, Some(cos * each), path);
                     }
                 }
             }
@@ -121,21 +123,26 @@ impl Walker<'_> {
         beta: f64,
         techniques: &Techniques<'_>,
         bounces: u32,
+        by_patch: Option<f64>,
         path: &mut Path<'_>,
     ) {
         let Sight { facet, from, direction, distance, cos } = *sight;
         if cos <= 0.0 || direction.dot(self.scene.facet(facet).normal) >= 0.0 {
             return;
         }
+        let Kind::Window { glazing, frame } = &self.scene.surfaces[surface as usize].kind else { return };
+        let incident = Direction::from_unit(frame.inward(direction));
+        let straight = glazing.straight(incident);
+        if by_patch.is_none() && sight.is_by_patch(techniques, straight.is_some()) {
+            return;
+        }
         let point = from + distance * direction;
         if !self.scene.tracer.visible(&vertex.place, &self.scene.tracer.place_on(facet, point)) {
             return;
         }
-        let Kind::Window { glazing, frame } = &self.scene.surfaces[surface as usize].kind else { return };
-        let incident = Direction::from_unit(frame.inward(direction));
-        let (outgoing, weight, total_reflections) = match glazing.straight(incident) {
+        let (outgoing, weight, total_reflections) = match straight {
             Some(straight) => {
-                let weight = sight.weight(self, techniques, techniques.patch_directions);
+                let weight = by_patch.unwrap_or_else(|| sight.weight(self, techniques));
                 (direction, weight * straight.transmittance, 0)
             }
             None => {
@@ -143,7 +150,7 @@ impl Walker<'_> {
                 match glazing.scatter(incident, u) {
                     // what turns back into the room is left to the drawn directions
                     Scattered::Leaves { direction, total_reflections } if direction.z < 0.0 => {
-                        (frame.outward(*direction), sight.weight(self, techniques, 0), total_reflections)
+                        (frame.outward(*direction), sight.weight(self, techniques), total_reflections)
                     }
                     _ => return,
                 }

@@ -6,15 +6,20 @@
 
 pub mod centre;
 pub mod coefficients;
+mod density;
 mod estimate;
 mod gather;
 mod look_out;
 mod nodes;
 mod numbers;
 mod path;
+mod pilot;
+mod plan;
 mod portals;
 pub mod rounds;
 mod sensors;
+pub mod settings;
+mod sky;
 pub mod sun;
 mod suns;
 mod walk;

@@ -1,195 +1,195 @@
-//! Points on diffuse surfaces that all sensors share: each is the start of one path, seen by every sensor (theory/room.md, eq. 7).
+//! Points on diffuse surfaces that all sensors share, in layers: every sensor sees those of the first, and whatever light was reflected
+//! b times sees a few of layer b (theory/room.md, eqs. 7 and 8).
 
-use super::Entry;
+use super::density::{NodeDensity, Picked};
 use super::numbers::Numbers;
-use super::path::{Path, Vertex};
-use super::sensors::Sensors;
-use super::walk::{Walker, cosine_direction};
-use crate::scene::Scene;
+use super::path::{Found, Link, Path, Vertex};
+use super::walk::Walker;
 use crate::surface::Kind;
-use crate::tracer::{NO_FACET, Ray};
-use hemisphere::{Direction, Frame, Rng, Sobol};
+use hemisphere::{Rng, Sobol};
 use rayon::prelude::*;
+use std::f64::consts::PI;
+use std::ops::Range;
 
-/// How densely nodes lie on each side of each surface.
-pub struct NodeDensity {
-    /// Nodes per m², back and front of each surface.
-    per_m2: Vec<[f64; 2]>,
-    /// Surface, whether front, and probability up to and with it.
-    choices: Vec<(u32, bool, f64)>,
-}
-
-impl NodeDensity {
-    /// Spreads `nodes` over the diffuse surfaces in proportion to `weight` of each one's back and front.
-    pub fn new(scene: &Scene, nodes: usize, weight: &[[f64; 2]]) -> Self {
-        let sum: f64 = weight.iter().flatten().sum();
-        let (mut per_m2, mut choices) = (vec![[0.0; 2]; scene.surfaces.len()], Vec::new());
-        let mut up_to_here = 0.0;
-        for (k, sides) in weight.iter().enumerate() {
-            for (side, w) in sides.iter().enumerate().filter(|(_, w)| **w > 0.0) {
-                up_to_here += w / sum;
-                choices.push((k as u32, side == 1, up_to_here));
-                per_m2[k][side] = nodes as f64 * w / sum / scene.surfaces[k].area;
-            }
-        }
-        Self { per_m2, choices }
-    }
-
-    /// Nodes per m² on a side of a surface.
-    #[inline]
-    pub fn per_m2(&self, surface: u32, front: bool) -> f64 {
-        self.per_m2[surface as usize][usize::from(front)]
-    }
-
-    /// Whether there is any surface to put nodes on.
-    pub fn is_empty(&self) -> bool {
-        self.choices.is_empty()
-    }
-
-    /// Which side of which surface `u` picks, and what is left of `u`.
-    fn pick(&self, u: f64) -> (u32, bool, f64) {
-        let i = self.choices.iter().position(|c| u < c.2).unwrap_or(self.choices.len() - 1);
-        let before = if i == 0 { 0.0 } else { self.choices[i - 1].2 };
-        let (surface, front, up_to_here) = self.choices[i];
-        (surface, front, ((u - before) / (up_to_here - before)).min(1.0))
-    }
-}
-
-/// A shared point and the light found for it.
+/// A shared point.
 pub struct Node {
     /// Where it lies, which way it faces.
     pub vertex: Vertex,
-    /// Nodes per m² there.
+    /// Nodes per m² there, as its layer's density has it.
     pub per_m2: f64,
-    /// What it sends on, patch by patch.
-    pub entries: Vec<Entry>,
+    /// What it sends on: entries of its layer.
+    pub entries: Range<usize>,
+    /// Which links of its layer lead on from it.
+    pub links: Range<usize>,
 }
 
-/// The nodes of one round, and how densely they lie.
-pub struct Shared<'a> {
-    pub density: &'a NodeDensity,
-    pub nodes: &'a [Node],
+/// The nodes of one layer, with the light found for them.
+pub struct Layer {
+    /// Nodes per m²; of a deeper layer, only of those that one vertex is linked to.
+    pub density: NodeDensity,
+    /// Its nodes; in a deeper layer as many as a power of two.
+    pub nodes: Vec<Node>,
+    /// What they send on, where their links lead.
+    pub found: Found,
+    /// To how many of them a vertex is linked.
+    links: usize,
 }
+
+/// How many nodes of each layer, and where.
+pub struct NodePlan {
+    layers: Vec<LayerPlan>,
+    /// Lots that a round draws its nodes in: each is linked within itself, so that no more is held than fits near the processor.
+    pub lots: usize,
+}
+
+struct LayerPlan {
+    density: NodeDensity,
+    /// Nodes of one lot.
+    count: usize,
+    /// To how many of them a vertex is linked.
+    links: usize,
+}
+
+/// The most nodes of the first layer in one lot.
+const LOT: usize = 8192;
+
+/// Deeper layers: light that was reflected more often is followed by itself.
+const DEEPER: usize = 3;
+
+/// Nodes of the first layer for each of a deeper one.
+const FIRST_PER_DEEPER: usize = 4;
+
+/// Nodes that a vertex is linked to, after one reflection and after more.
+const LINKS: [usize; 2] = [8, 4];
 
 /// Nodes handled by one task.
 const BLOCK: usize = 64;
 
-/// Draws the nodes of one round and follows a path from each. The order is that of the indices, whoever does the work.
-pub fn lit_nodes(walker: &Walker<'_>, density: &NodeDensity, count: usize, seed: u64) -> Vec<Node> {
-    if density.is_empty() {
-        return Vec::new();
+impl NodePlan {
+    /// `near`, where nodes serve sensors, and `far`, where they serve nodes, are densities of one node.
+    pub fn new(near: &NodeDensity, far: &NodeDensity, nodes: usize) -> Self {
+        let lots = nodes.div_ceil(LOT);
+        let of_lot = nodes.div_ceil(lots);
+        let density = near.times((lots * of_lot) as f64);
+        let mut layers = vec![LayerPlan { density, count: if near.is_empty() { 0 } else { of_lot }, links: 0 }];
+        if !far.is_empty() {
+            let count = of_lot.div_ceil(FIRST_PER_DEEPER).next_power_of_two();
+            layers.extend((0..DEEPER).map(|depth| {
+                let links = LINKS[depth.min(1)].min(count);
+                LayerPlan { density: far.times(links as f64), count, links }
+            }));
+        }
+        Self { layers, lots }
     }
-    let sobol = Sobol { seed };
-    let blocks: Vec<Vec<Node>> = (0..count)
+
+    /// Draws the nodes of one lot of a round, the deepest layer first, and follows a path from each. The order is that of the indices,
+    /// whoever does the work.
+    pub fn draw(&self, walker: &Walker<'_>, seed: u64, lot: usize) -> Vec<Layer> {
+        let empty = |LayerPlan { density, links, .. }: &LayerPlan| Layer {
+            density: density.clone(),
+            nodes: Vec::new(),
+            found: Found::default(),
+            links: *links,
+        };
+        let mut layers: Vec<Layer> = self.layers.iter().map(empty).collect();
+        for (depth, LayerPlan { density, count, .. }) in self.layers.iter().enumerate().rev() {
+            let sobol = Sobol { seed: Rng::new(seed, u64::MAX - depth as u64).bits() };
+            let walker = Walker { layers: &layers, ..*walker };
+            let indices = (lot * count) as u32..((lot + 1) * count) as u32;
+            let (nodes, found) = draw_layer(&walker, density, indices, sobol, depth as u32 + 1);
+            (layers[depth].nodes, layers[depth].found) = (nodes, found);
+        }
+        layers
+    }
+}
+
+/// Draws the nodes of these indices, whose light was reflected `bounces` times, their own reflection counted.
+fn draw_layer(
+    walker: &Walker<'_>,
+    density: &NodeDensity,
+    indices: Range<u32>,
+    sobol: Sobol,
+    bounces: u32,
+) -> (Vec<Node>, Found) {
+    let blocks: Vec<(Vec<Node>, Found)> = indices
+        .clone()
         .into_par_iter()
         .step_by(BLOCK)
-        .map(|first| (first..(first + BLOCK).min(count)).map(|i| lit_node(walker, density, sobol, i as u32)).collect())
-        .collect();
-    blocks.into_iter().flatten().collect()
-}
-
-fn lit_node(walker: &Walker<'_>, density: &NodeDensity, sobol: Sobol, index: u32) -> Node {
-    let scene = walker.scene;
-    let mut entries = Vec::new();
-    let mut path = Path { numbers: Numbers::new(sobol, index), out: &mut entries };
-    let event = path.numbers.event();
-    let (surface, front, u) = density.pick(event.start()[0]);
-    let (facet, point) = scene.point_on(surface, [u, event.start()[1]]);
-    let normal = if front { scene.facet(facet).normal } else { -scene.facet(facet).normal };
-    let vertex = Vertex { place: scene.tracer.place_on(facet, point), normal, facet };
-    if let Kind::Opaque(material) = scene.surfaces[surface as usize].kind {
-        walker.reflected(&vertex, material.diffuse, 1.0, 1, &event, &mut path);
-    }
-    Node { vertex, per_m2: density.per_m2(surface, front), entries }
-}
-
-/// What a few rays from the sensors tell before the work begins.
-pub struct Pilot {
-    /// Light that the sensors get from the back and front of each surface, roughly.
-    pub weight: Vec<[f64; 2]>,
-    /// For each sensor, the share of its hemisphere that only rays of its own explore: sky, mirrors, boundaries, windows.
-    pub alone: Vec<f64>,
-}
-
-/// Rays a sensor sends ahead, at least.
-const PILOT_RAYS: u32 = 64;
-
-/// Rays that all sensors together send ahead, at least: what these miss is too little to matter.
-const ALL_PILOT_RAYS: u32 = 8192;
-
-/// Looks around from every sensor. Its rays serve for planning alone, so what is planned by them stays unbiased.
-pub fn pilot(walker: &Walker<'_>, sensors: &Sensors, seed: u64) -> Pilot {
-    let scene = walker.scene;
-    let rays = PILOT_RAYS.max(ALL_PILOT_RAYS / sensors.len() as u32);
-    let looked: Vec<(Vec<(u32, bool)>, f64)> = (0..sensors.len())
-        .into_par_iter()
-        .map(|i| {
-            let sobol = Sobol { seed: seed ^ Rng::new(seed, i as u64).bits() };
-            let frame = Frame::about(Direction::from_unit(sensors.normal(i)));
-            let (mut met, mut alone) = (Vec::new(), 0.0);
-            for index in 0..rays {
-                let local = cosine_direction([sobol.sample(index, 0), sobol.sample(index, 1)]);
-                let ray = Ray { origin: sensors.position(i), direction: frame.outward(local), leaving: NO_FACET };
-                let Some(hit) = scene.tracer.closest(&ray) else {
-                    alone += 1.0;
-                    continue;
-                };
-                let facet = scene.facet(hit.facet);
-                let front = facet.normal.dot(ray.direction) < 0.0;
-                match &scene.surface_of(hit.facet).kind {
-                    Kind::Opaque(material) => {
-                        alone += material.specular;
-                        if material.diffuse > 0.0 {
-                            met.push((facet.surface, front));
-                        }
-                    }
-                    // seen from outside, a window leads to what only rays of one's own find
-                    Kind::Window { .. } => alone += if front { 0.1 } else { 1.0 },
-                    Kind::Interface { .. } => alone += 1.0,
-                }
+        .map(|first| {
+            let (mut nodes, mut found) = (Vec::with_capacity(BLOCK), Found::default());
+            for index in first..(first + BLOCK as u32).min(indices.end) {
+                let (vertex, per_m2) = place(walker, density, sobol, index);
+                let (entries, links) = (found.entries.len(), found.links.len());
+                lit_node(walker, &vertex, Numbers::new(sobol, index), Some(index), bounces, &mut found);
+                let (entries, links) = (entries..found.entries.len(), links..found.links.len());
+                nodes.push(Node { vertex, per_m2, entries, links });
             }
-            (met, alone / f64::from(rays))
+            (nodes, found)
         })
         .collect();
-    let mut met = vec![[0.0; 2]; scene.surfaces.len()];
-    for (surface, front) in looked.iter().flat_map(|(met, _)| met) {
-        met[*surface as usize][usize::from(*front)] += 1.0;
+    let (mut nodes, mut found) = (Vec::with_capacity(indices.len()), Found::default());
+    for (block, of_block) in blocks {
+        let (entries, links) = (found.entries.len(), found.links.len());
+        let shifted = |range: Range<usize>, by: usize| range.start + by..range.end + by;
+        nodes.extend(block.into_iter().map(|node| Node {
+            entries: shifted(node.entries, entries),
+            links: shifted(node.links, links),
+            ..node
+        }));
+        found.entries.extend(of_block.entries);
+        found.links.extend(of_block.links);
     }
-    let bright: Vec<[f64; 2]> = (0..scene.surfaces.len())
-        .into_par_iter()
-        .map(|k| {
-            [0, 1].map(|side| if met[k][side] == 0.0 { 0.0 } else { brightness(walker, k as u32, side == 1, seed) })
-        })
-        .collect();
-    let product = |a: &[f64; 2], b: &[f64; 2]| a[0] * b[0] + a[1] * b[1];
-    let rays_met: f64 = met.iter().flatten().sum();
-    let mean = met.iter().zip(&bright).map(|(m, b)| product(m, b)).sum::<f64>() / rays_met.max(1.0);
-    // part by brightness, part evenly, lest a surface that seemed dark by chance gets hardly any
-    let weight = met
-        .iter()
-        .zip(&bright)
-        .map(|(m, b)| [0, 1].map(|side| m[side] * ((1.0 - EVENLY) * b[side] + EVENLY * mean.max(f64::MIN_POSITIVE))))
-        .collect();
-    Pilot { weight, alone: looked.into_iter().map(|(_, alone)| alone).collect() }
+    (nodes, found)
 }
 
-/// Share of the nodes that goes by what the sensors see alone.
-const EVENLY: f64 = 0.3;
+fn place(walker: &Walker<'_>, density: &NodeDensity, sobol: Sobol, index: u32) -> (Vertex, f64) {
+    let u = sobol.point(index, 0);
+    let Picked { facet, point, front, per_m2 } = density.pick(walker.scene, [u.coordinate(0), u.coordinate(1)]);
+    let normal = walker.scene.facet(facet).normal;
+    let normal = if front { normal } else { -normal };
+    (Vertex { place: walker.scene.tracer.place_on(facet, point), normal, facet }, per_m2)
+}
 
-/// Paths that tell how bright a surface is.
-const BRIGHTNESS_PATHS: u32 = 64;
+/// Follows a path from a node: what it sends on, patch by patch. `index` is its own in its layer, if it is in one.
+pub fn lit_node(
+    walker: &Walker<'_>,
+    vertex: &Vertex,
+    numbers: Numbers,
+    index: Option<u32>,
+    bounces: u32,
+    out: &mut Found,
+) {
+    if let Kind::Opaque(material) = walker.scene.surface_of(vertex.facet).kind {
+        let mut path = Path { numbers, out };
+        let event = path.numbers.event();
+        walker.reflected(vertex, material.diffuse, index, bounces, &event, &mut path);
+    }
+}
 
-/// The root mean square of what a side of a surface sends on under an even sky, roughly: the best density of points goes with it.
-fn brightness(walker: &Walker<'_>, surface: u32, front: bool, seed: u64) -> f64 {
-    let mut weight = vec![[0.0; 2]; walker.scene.surfaces.len()];
-    weight[surface as usize][usize::from(front)] = 1.0;
-    let density = NodeDensity::new(walker.scene, 1, &weight);
-    let sobol = Sobol { seed: Rng::new(seed, u64::from(surface)).bits() };
-    let squares: f64 = (0..BRIGHTNESS_PATHS)
-        .map(|index| {
-            let node = lit_node(walker, &density, sobol, index);
-            node.entries.iter().map(|e| e.value).sum::<f64>().powi(2)
-        })
-        .sum();
-    (squares / f64::from(BRIGHTNESS_PATHS)).sqrt()
+impl Layer {
+    /// Whether there are nodes to link to.
+    pub fn is_linked(&self) -> bool {
+        self.links > 0 && !self.nodes.is_empty()
+    }
+
+    /// Links a vertex to a few nodes spread over all of them; what is too near for this, directions find (theory/room.md, eq. 8).
+    /// `beta` counts the mean radiance.
+    pub fn link(&self, walker: &Walker<'_>, depth: u32, vertex: &Vertex, index: u32, beta: f64, out: &mut Vec<Link>) {
+        let (p, n) = (vertex.place.position, vertex.normal);
+        let count = self.nodes.len();
+        for k in 0..self.links {
+            // any 2ᵏ nodes in a row are well spread in either layer: so are their pairs
+            let to = (index as usize ^ (k * (count / self.links))) & (count - 1);
+            let node = &self.nodes[to];
+            let way = node.vertex.place.position - p;
+            let (here, there, d2) = (way.dot(n), -way.dot(node.vertex.normal), way.length_squared());
+            if here <= 0.0 || there <= 0.0 || (node.entries.is_empty() && node.links.is_empty()) {
+                continue;
+            }
+            let form = here * there / (PI * d2 * d2).max(f64::MIN_POSITIVE);
+            if walker.scene.tracer.visible(&vertex.place, &node.vertex.place) {
+                out.push(Link { depth, to: to as u32, weight: beta * form / (node.per_m2 + form) });
+            }
+        }
+    }
 }

@@ -27,6 +27,15 @@ impl Numbers {
         Self { sobol: self.sobol, index: self.index, next_set: 0, sets: 0, rng: Rng::new(self.rng.bits(), 0) }
     }
 
+    /// Numbers for window points at the vertex of the last event: at the first they go with the path's own place in its family.
+    pub fn window(&mut self) -> WindowNumbers {
+        if self.sets > 0 && self.next_set == 1 {
+            WindowNumbers { sobol: self.sobol, first: self.index, dimension: 5 }
+        } else {
+            WindowNumbers { sobol: Sobol { seed: self.rng.bits() }, first: 0, dimension: 0 }
+        }
+    }
+
     /// The numbers of the next event.
     #[inline]
     pub fn event(&mut self) -> Event {
@@ -37,6 +46,23 @@ impl Numbers {
         } else {
             Event::Independent(self.rng.bits())
         }
+    }
+}
+
+/// The numbers that a vertex draws points on the windows by.
+pub struct WindowNumbers {
+    sobol: Sobol,
+    /// Index of the first point, and the dimension it begins with.
+    first: u32,
+    dimension: usize,
+}
+
+impl WindowNumbers {
+    /// Coordinate `d` (0..3) of point `index`.
+    #[inline]
+    pub fn coordinate(&self, index: u32, d: usize) -> f64 {
+        // 2ᵏ paths in a row are well spread, and so are they in any other order
+        self.sobol.point(self.first ^ index, 0).coordinate(self.dimension + d)
     }
 }
 

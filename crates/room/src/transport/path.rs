@@ -1,13 +1,14 @@
 //! What a path carries with it: where it is, how it got there, whose random numbers it uses.
 
 use super::Entry;
-use super::nodes::NodeDensity;
+use super::density::NodeDensity;
 use super::numbers::Numbers;
+use super::sky::Sky;
 use super::suns::Suns;
 use crate::scene::Scene;
 use crate::surface::Medium;
 use crate::tracer::{Place, Ray};
-use hemisphere::{SkyBasis, Vec3};
+use hemisphere::Vec3;
 use std::f64::consts::PI;
 
 /// A point of a surface that reflects diffusely, or a sensor, on the side of its normal.
@@ -23,7 +24,27 @@ pub struct Vertex {
 /// The random numbers of one path and the light found on it.
 pub struct Path<'a> {
     pub numbers: Numbers,
-    pub out: &'a mut Vec<Entry>,
+    pub out: &'a mut Found,
+}
+
+/// What is found on a path.
+#[derive(Default)]
+pub struct Found {
+    /// Light of the sky.
+    pub entries: Vec<Entry>,
+    /// Light of nodes.
+    pub links: Vec<Link>,
+}
+
+/// A node's light, as a vertex sends it on.
+#[derive(Clone, Copy)]
+pub struct Link {
+    /// The layer.
+    pub depth: u32,
+    /// Which of its nodes.
+    pub to: u32,
+    /// What its radiance counts for.
+    pub weight: f64,
 }
 
 impl Path<'_> {
@@ -40,16 +61,18 @@ pub struct Techniques<'a> {
     pub directions: f64,
     /// Points drawn on windows.
     pub window_points: u32,
-    /// Directions drawn in each patch of the sky, for windows that turn no light.
-    pub patch_directions: u32,
+    /// Directions per steradian drawn in every patch of the sky, for windows that turn no light; none are: 0.
+    pub per_sr: f64,
     /// Points drawn on surfaces.
     pub nodes: Option<&'a NodeDensity>,
+    /// Whether these are a sensor's own: a direction that meets a window then goes both ways.
+    pub of_sensor: bool,
 }
 
 /// Where the light comes from.
 pub enum Light<'a> {
     /// The sky and the ground, patch by patch.
-    Sky(&'a SkyBasis),
+    Sky(&'a Sky<'a>),
     /// The sun at many places in turn.
     Suns(Suns),
 }
@@ -77,17 +100,31 @@ pub struct State<'a> {
 
 impl Came<'_> {
     pub fn is_sensor(&self) -> bool {
-        matches!(self, Self::Scattered { techniques: Techniques { nodes: Some(_), .. }, .. })
+        matches!(self, Self::Scattered { techniques: Techniques { of_sensor: true, .. }, .. })
     }
 
-    /// The share of a surface point's light that a drawn direction keeps, the rest being left to the nodes (balance heuristic,
-    /// theory/room.md, eq. 6).
-    pub fn kept_at_node(&self, scene: &Scene, facet: u32, cos_facet: f64, distance: f64) -> f64 {
-        let Self::Scattered { cos, techniques: Techniques { directions, nodes: Some(nodes), .. } } = self else {
+    /// The share of a surface point's light that a drawn direction keeps, the rest being left to the nodes (theory/room.md, eq. 6).
+    pub fn kept_at_node(&self, scene: &Scene, facet: u32, point: Vec3, cos_facet: f64, distance: f64) -> f64 {
+        let Self::Scattered { cos, techniques } = self else { return 1.0 };
+        let Some(nodes) = techniques.nodes else { return 1.0 };
+        let by_direction = techniques.directions * cos * cos_facet.abs() / (PI * distance * distance);
+        let by_node = nodes.per_m2(scene, facet, point, cos_facet < 0.0);
+        if by_node == 0.0 {
             return 1.0;
-        };
-        let by_direction = directions * cos * cos_facet.abs() / (PI * distance * distance);
-        let by_node = nodes.per_m2(scene.facet(facet).surface, cos_facet < 0.0);
-        by_direction / (by_direction + by_node)
+        }
+        1.0 - techniques.share_of_node(by_node, by_direction)
+    }
+}
+
+impl Techniques<'_> {
+    /// The share of a surface point's light that nodes find, by the densities of these and of drawn directions. A sensor, which draws
+    /// many, leaves them what is near (power heuristic), a reflection weighs its one by its density (balance heuristic).
+    #[inline]
+    pub fn share_of_node(&self, by_node: f64, by_direction: f64) -> f64 {
+        if self.of_sensor {
+            by_node * by_node / (by_node * by_node + by_direction * by_direction)
+        } else {
+            by_node / (by_node + by_direction)
+        }
     }
 }

@@ -1,70 +1,19 @@
-//! Independent rounds, one after another, until they are good enough (theory/room.md, eq. 9).
+//! Independent rounds, one after another, until they are good enough (theory/room.md, eq. 10).
 
 use super::Part;
 use super::estimate::Estimate;
-use super::gather::{GROUP, Own, Round, gather};
-use super::nodes::{NodeDensity, Shared, lit_nodes, pilot};
+use super::gather::{GROUP, Round, Task};
 use super::path::Light;
+use super::plan::Plan;
 use super::portals::Portals;
 use super::sensors::Sensors;
+use super::settings::{Progress, Settings};
 use super::walk::Walker;
 use crate::RoomError;
 use crate::scene::Scene;
 use hemisphere::Rng;
 use rayon::prelude::*;
 use std::time::Instant;
-
-/// How much work to do.
-#[derive(Clone, Debug)]
-pub struct Settings {
-    /// Which random numbers.
-    pub seed: u64,
-    /// Independent rounds, without a target.
-    pub rounds: usize,
-    /// Shared points on surfaces, a round.
-    pub nodes: usize,
-    /// Points each sensor draws on the windows, a round.
-    pub window_samples: usize,
-    /// Light after more diffuse reflections is reported as lost; `None` follows it to its end.
-    pub max_bounces: Option<u32>,
-    /// Rounds are added until the standard error of Σ coefficient · weight is at most this share of it at every sensor.
-    pub target_relative_error: Option<f64>,
-    /// But not more rounds than this.
-    pub max_rounds: usize,
-    /// Luminances of the patches that the target speaks of; by default the overcast sky over ground of reflectance 0.2.
-    pub weights: Option<Vec<f64>>,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            seed: 0,
-            rounds: 16,
-            nodes: 512,
-            window_samples: 512,
-            max_bounces: None,
-            target_relative_error: None,
-            max_rounds: 4096,
-            weights: None,
-        }
-    }
-}
-
-/// Fewer rounds do not tell their own standard error.
-const LEAST_ROUNDS: usize = 8;
-
-/// How far the work is.
-#[derive(Clone, Copy, Debug)]
-pub struct Progress {
-    /// Rounds done.
-    pub rounds: usize,
-    /// Rounds it will take, as far as one can tell.
-    pub expected_rounds: usize,
-    /// Largest relative standard error of Σ coefficient · weight over the sensors that have any; NaN before the second round.
-    pub worst_relative_error: f64,
-    /// Time since the start \[s\].
-    pub seconds: f64,
-}
 
 /// Values and standard errors, sensor by sensor, patch by patch \[sr\].
 #[derive(Clone, Debug)]
@@ -88,7 +37,7 @@ pub struct Found {
 }
 
 fn walker<'b>(scene: &'b Scene, portals: &'b Portals, light: &'b Light<'b>, settings: &Settings) -> Walker<'b> {
-    Walker { scene, portals, light, max_bounces: settings.max_bounces }
+    Walker { scene, portals, light, layers: &[], max_bounces: settings.max_bounces }
 }
 
 /// Runs rounds. `light` gives the light of a round from its seed; `weights` has a value for each of its columns.
@@ -104,7 +53,7 @@ pub fn run<'a>(
     let portals = Portals::of(scene);
     let limited = settings.max_bounces.is_some();
     let ahead = light(Rng::new(settings.seed, u64::MAX).bits())?;
-    let plan = Plan::new(&walker(scene, &portals, &ahead, settings), sensors, settings);
+    let plan = Plan::new(&walker(scene, &portals, &ahead, settings), sensors, weights, settings);
     let mut groups: Vec<Group> = (0..sensors.len())
         .step_by(GROUP)
         .map(|first| Group::new(first, (first + GROUP).min(sensors.len()), weights.len(), limited))
@@ -114,12 +63,14 @@ pub fn run<'a>(
         let seed = Rng::new(settings.seed, rounds as u64).bits();
         let light = light(seed)?;
         let walker = walker(scene, &portals, &light, settings);
-        let nodes = lit_nodes(&walker, &plan.density, settings.nodes, seed);
-        groups.par_iter_mut().for_each(|group| {
-            let shared = Shared { density: &plan.density, nodes: &nodes };
-            gather(&walker, sensors, group.first..group.end, &plan.own, &shared, seed, &mut group.round);
-            group.take_in(weights);
-        });
+        groups.par_iter_mut().for_each(|group| group.round.clear());
+        for lot in 0..plan.nodes.lots {
+            let layers = plan.nodes.draw(&walker, seed, lot);
+            let walker = Walker { layers: &layers, ..walker };
+            let task = Task { walker: &walker, sensors, own: &plan.own, seed, lot, lots: plan.nodes.lots };
+            groups.par_iter_mut().for_each(|group| task.gather(group.first..group.end, &mut group.round));
+        }
+        groups.par_iter_mut().for_each(|group| group.take_in(weights));
         rounds += 1;
         let worst =
             groups.iter().map(Group::worst_relative_error).fold(0.0, |a: f64, b| if a.is_nan() { a } else { b.max(a) });
@@ -144,83 +95,6 @@ pub fn run<'a>(
         converged: !interrupted && settings.target_relative_error.is_none_or(|target| worst <= target),
         interrupted,
     })
-}
-
-impl Settings {
-    /// Refuses numbers that make no sense.
-    pub(super) fn check(&self) -> Result<(), RoomError> {
-        let settings = self;
-        let wrong = |name, rule, value: String, way_out| Err(RoomError::Setting { name, rule, value, way_out });
-        for (name, value) in [("rounds", settings.rounds), ("max_rounds", settings.max_rounds)] {
-            if value < 2 {
-                return wrong(name, "at least 2", value.to_string(), "one round alone has no standard error");
-            }
-        }
-        for (name, value) in [("nodes", settings.nodes), ("window_samples", settings.window_samples)] {
-            if value == 0 || value > 1 << 24 {
-                return wrong(name, "in 1..16777216", value.to_string(), "a few hundred do; add rounds for precision");
-            }
-        }
-        if let Some(target) = settings.target_relative_error {
-            if !(target > 0.0 && target.is_finite()) {
-                return wrong("target_relative_error", "above 0", target.to_string(), "0.02 is 2 %");
-            }
-        }
-        Ok(())
-    }
-
-    /// Rounds it takes in all, judged after `rounds` of them: errors fall with the root of their number.
-    fn expected(&self, rounds: usize, worst: f64) -> usize {
-        let Some(target) = self.target_relative_error else { return self.rounds };
-        if rounds < LEAST_ROUNDS {
-            return LEAST_ROUNDS.min(self.max_rounds);
-        }
-        if worst <= target {
-            return rounds;
-        }
-        let more = (rounds as f64 * (worst / target).powi(2)).ceil();
-        (more as usize).max(rounds + 1).min(self.max_rounds.max(rounds))
-    }
-}
-
-/// Where nodes go and what each sensor does by itself.
-struct Plan {
-    density: NodeDensity,
-    own: Vec<Own>,
-}
-
-/// Directions a sensor draws where only they explore, under suns: one for as many nodes.
-const SUNS_NODES_PER_DIRECTION: usize = 8;
-
-/// A sensor's own directions, where nodes do as well: one for as many nodes …
-const NODES_PER_DIRECTION: usize = 256;
-
-/// … but few sensors draw more, all together as many as there are nodes to so many of them.
-const NODES_PER_SHARED_DIRECTION: usize = 2;
-
-impl Plan {
-    fn new(walker: &Walker<'_>, sensors: &Sensors, settings: &Settings) -> Self {
-        let pilot = pilot(walker, sensors, Rng::new(settings.seed, u64::MAX).bits());
-        let shared = settings.nodes.div_ceil(NODES_PER_SHARED_DIRECTION * sensors.len());
-        let least = settings.nodes.div_ceil(NODES_PER_DIRECTION).max(shared) as u32;
-        // half of the patches lie behind; about as many of these directions as window points then find a window
-        let samples = settings.window_samples;
-        let (window_points, patch_directions, exploring) = match walker.light {
-            Light::Sky(basis) => (samples as u32, (2 * samples).div_ceil(basis.patches()) as u32, samples),
-            // every reflection costs a look at all suns: go by the nodes
-            Light::Suns(_) => (0, 0, settings.nodes / SUNS_NODES_PER_DIRECTION),
-        };
-        let own = pilot
-            .alone
-            .iter()
-            .map(|alone| Own {
-                window_points,
-                patch_directions,
-                directions: least.max((alone * exploring as f64).ceil() as u32),
-            })
-            .collect();
-        Self { density: NodeDensity::new(walker.scene, settings.nodes, &pilot.weight), own }
-    }
 }
 
 /// What is known of a group of sensors.

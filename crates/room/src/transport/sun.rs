@@ -1,8 +1,9 @@
-//! Illuminance by the sun at many places in turn, without patches: exact beams through every window (theory/room.md, eqs. 11 and 12).
+//! Illuminance by the sun at many places in turn, without patches: exact beams through every window (theory/room.md, eqs. 12 and 13).
 
 use super::path::Light;
-use super::rounds::{Component, Progress, Settings, run};
+use super::rounds::{Component, run};
 use super::sensors::Sensors;
+use super::settings::{Progress, Settings};
 use super::suns::Suns;
 use crate::RoomError;
 use crate::scene::Scene;

@@ -1,5 +1,5 @@
 //! The sun's beams in the room: exact directions behind each window, looked back along from wherever light is wanted
-//! (theory/room.md, eqs. 11 and 12).
+//! (theory/room.md, eqs. 12 and 13).
 
 use super::Entry;
 use super::path::{Path, Vertex};
@@ -104,7 +104,7 @@ impl Suns {
             }
             for (redirected, value) in [false, true].into_iter().zip(seen).filter(|(_, value)| *value > 0.0) {
                 let part = walker.part(bounces, redirected);
-                path.out.push(Entry { patch: sun as u32, part, value: each * value });
+                path.out.entries.push(Entry { patch: sun as u32, part, value: each * value });
             }
         }
     }

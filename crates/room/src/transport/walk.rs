@@ -1,6 +1,7 @@
-//! One path, followed from where its light is wanted until it ends in the sky or is absorbed (theory/room.md, eqs. 3–8).
+//! One path, followed from where its light is wanted until it ends in the sky or is absorbed (theory/room.md, eqs. 3–9).
 
 use super::look_out::Sight;
+use super::nodes::Layer;
 use super::numbers::Event;
 use super::path::{Came, Light, Path, State, Techniques, Vertex};
 use super::portals::Portals;
@@ -18,6 +19,8 @@ pub struct Walker<'a> {
     pub portals: &'a Portals,
     /// Where light comes from.
     pub light: &'a Light<'a>,
+    /// Shared nodes; those of layer b send their light to vertices of b reflections.
+    pub layers: &'a [Layer],
     /// Light that took more diffuse reflections is reported as lost.
     pub max_bounces: Option<u32>,
 }
@@ -35,22 +38,41 @@ const GOES_ON: f64 = 0.98;
 const FOLLOWED: f64 = 8.0;
 
 impl Walker<'_> {
-    /// The light that a diffuse vertex of this reflectance sends on, times `beta`: from windows it sees, and from a reflection.
-    /// `bounces` counts its own.
+    /// The light that a diffuse vertex of this reflectance sends on: from windows it sees, from nodes, and from a reflection.
+    /// `bounces` counts its own; `index` is its own among nodes.
     pub fn reflected(
         &self,
         vertex: &Vertex,
         reflectance: f64,
-        beta: f64,
+        index: Option<u32>,
         bounces: u32,
         event: &Event,
         path: &mut Path<'_>,
     ) {
-        self.look_out(vertex, beta * reflectance, &self.reflection(), bounces, path);
+        let techniques = self.look_about(vertex, reflectance, index, bounces, path);
         // roulette by the reflectance itself keeps beta as it is
         if event.choice() < reflectance {
-            self.scattered(vertex, beta, self.reflection(), bounces, event.direction(), path);
+            self.scattered(vertex, 1.0, techniques, bounces, event.direction(), path);
         }
+    }
+
+    /// The light that a diffuse vertex gets from windows and from nodes, times `beta`; what directions drawn there compete with.
+    fn look_about(
+        &self,
+        vertex: &Vertex,
+        beta: f64,
+        index: Option<u32>,
+        bounces: u32,
+        path: &mut Path<'_>,
+    ) -> Techniques<'_> {
+        let layer = self.layers.get(bounces as usize).filter(|layer| layer.is_linked());
+        let techniques = Techniques { nodes: layer.map(|layer| &layer.density), ..self.reflection() };
+        self.look_out(vertex, beta, &techniques, bounces, path);
+        if let Some(layer) = layer {
+            let index = index.unwrap_or_else(|| path.numbers.rng.bits() as u32);
+            layer.link(self, bounces, vertex, index, beta, &mut path.out.links);
+        }
+        techniques
     }
 
     /// Light arriving at a vertex along one direction drawn by the cosine law; `beta` counts the mean radiance.
@@ -78,7 +100,7 @@ impl Walker<'_> {
     }
 
     /// Follows a path to its end.
-    pub fn follow(&self, mut state: State<'_>, path: &mut Path<'_>) {
+    pub fn follow<'b>(&'b self, mut state: State<'b>, path: &mut Path<'_>) {
         let scene = self.scene;
         for meeting in 0_u32.. {
             if meeting > PATIENCE {
@@ -90,10 +112,10 @@ impl Walker<'_> {
             let Ray { origin, direction, .. } = state.ray;
             let Some(hit) = scene.tracer.closest(&state.ray) else {
                 // suns are looked for where light is reflected, not met by chance
-                if let Light::Sky(basis) = self.light {
-                    let patch = basis.find(direction) as u32;
+                if let Light::Sky(sky) = self.light {
+                    let patch = sky.basis.find(direction) as u32;
                     let part = self.part(state.bounces, state.redirected);
-                    path.out.push(Entry { patch, part, value: state.beta });
+                    path.out.entries.push(Entry { patch, part, value: state.beta });
                 }
                 return;
             };
@@ -107,30 +129,32 @@ impl Walker<'_> {
                     let normal = if cos_facet < 0.0 { facet.normal } else { -facet.normal };
                     let choice = event.choice();
                     if material.diffuse > 0.0 {
-                        let kept = state.came.kept_at_node(scene, hit.facet, cos_facet, hit.distance);
+                        let kept = state.came.kept_at_node(scene, hit.facet, point, cos_facet, hit.distance);
                         // what the nodes find as well is seldom worth following
                         let followed = (FOLLOWED * kept).min(1.0);
                         if kept >= 1.0 || path.numbers.rng.uniform() < followed {
                             let kept_beta = state.beta * kept / followed;
                             let vertex =
                                 Vertex { place: scene.tracer.place_on(hit.facet, point), normal, facet: hit.facet };
-                            if state.looks_out {
+                            state.bounces += 1;
+                            let techniques = if state.looks_out {
                                 let beta = kept_beta * material.diffuse;
-                                self.look_out(&vertex, beta, &self.reflection(), state.bounces + 1, path);
-                            }
+                                Some(self.look_about(&vertex, beta, None, state.bounces, path))
+                            } else {
+                                None
+                            };
                             if choice < material.diffuse {
                                 let local = cosine_direction(event.direction());
                                 let direction = Frame::about(Direction::from_unit(normal)).outward(local);
                                 state.ray = Ray { origin: point, direction, leaving: hit.facet };
-                                state.came = if state.looks_out {
-                                    Came::Scattered { cos: local.z, techniques: self.reflection() }
-                                } else {
-                                    Came::Specular
+                                state.came = match techniques {
+                                    Some(techniques) => Came::Scattered { cos: local.z, techniques },
+                                    None => Came::Specular,
                                 };
                                 state.beta = kept_beta;
-                                state.bounces += 1;
                                 continue;
                             }
+                            state.bounces -= 1;
                         }
                     }
                     if !(material.diffuse..material.diffuse + material.specular).contains(&choice) {
@@ -147,8 +171,7 @@ impl Walker<'_> {
                         Came::Scattered { cos, techniques } => {
                             let sight =
                                 Sight { facet: hit.facet, from: origin, direction, distance: hit.distance, cos: *cos };
-                            let patches = if straight.is_some() { techniques.patch_directions } else { 0 };
-                            sight.share_of_directions(self, techniques, patches)
+                            sight.share_of_directions(self, techniques, straight.is_some())
                         }
                         Came::Specular => 1.0,
                     };
@@ -233,7 +256,7 @@ impl Walker<'_> {
             Light::Sky(_) => WINDOW_POINTS,
             Light::Suns(_) => 0,
         };
-        Techniques { directions: 1.0, window_points, patch_directions: 0, nodes: None }
+        Techniques { directions: 1.0, window_points, per_sr: 0.0, nodes: None, of_sensor: false }
     }
 }
 
