@@ -29,6 +29,12 @@ fn laser_cut(d_over_w: f64) -> Profile {
     LaserCut::ideal(6.0 * d_over_w, 6.0).profile().expect("it can be cut")
 }
 
+/// Cuts as a laser makes them: 0.3 mm wide, 4 mm apart in a sheet of 6 mm, perhaps tilted.
+fn kerf(tilt_deg: f64) -> Profile {
+    let cut = LaserCut { cut_width: 0.3, cut_tilt_deg: vec![tilt_deg], ..LaserCut::ideal(4.0, 6.0) };
+    cut.profile().expect("it can be cut")
+}
+
 fn prismatic() -> Profile {
     let sheet = Prismatic { pitch: 1.0, lower_deg: 45.0, upper_deg: 45.0, base: 1.0, ridges: Ridges::Front };
     sheet.profile().expect("it can be made")
@@ -38,6 +44,8 @@ fn exact(c: &mut Criterion) {
     let cases = [
         ("laser-cut D/W 0.5 at 60°, averaged", laser_cut(0.5), 60.0, Polarisation::Averaged),
         ("laser-cut D/W 0.5 at 60°, resolved", laser_cut(0.5), 60.0, Polarisation::Resolved),
+        ("kerf of 0.3 mm at 45°, resolved", kerf(0.0), 45.0, Polarisation::Resolved),
+        ("kerf of 0.3 mm tilted by 10° at 45°, resolved", kerf(10.0), 45.0, Polarisation::Resolved),
         ("prism 45/45 at 35°, averaged", prismatic(), 35.0, Polarisation::Averaged),
         ("prism 45/45 at 35°, resolved", prismatic(), 35.0, Polarisation::Resolved),
     ];

@@ -1,15 +1,24 @@
 //! What the exact solver leaves over when its budget ends is followed by a quasi-random walk.
 
 use crate::{
-    flux::{Payload, Solver},
+    flux::{Part, Payload, Solver},
     panel::Outcome,
     walk::{Draw, End, Walk},
 };
 use hemisphere::{Sobol, Vec3};
 use optics::Stokes;
 
-/// Rays that follow what is left.
-pub const RAYS: u32 = 4096;
+/// Rays that follow what is left if it is this share of the light or more; less light is worth fewer.
+const RAYS: u32 = 4096;
+const WORTH_ALL: f64 = 0.02;
+/// Rays at least.
+const LEAST_RAYS: u32 = 64;
+
+/// Rays that follow what is left of the power of an incident beam.
+pub fn rays(left: f64) -> u32 {
+    ((f64::from(RAYS) * left / WORTH_ALL) as u32).clamp(LEAST_RAYS, RAYS)
+}
+
 /// Any seed will do; one for all keeps results reproducible.
 const SEED: u64 = 0x00c1_e7e5_7021;
 
@@ -27,7 +36,7 @@ struct Waiting {
 pub fn finish<P: Payload>(solver: &Solver<P>, walk: &Walk, weight: f64, outcome: &mut Outcome) {
     let waiting: Vec<Waiting> = solver
         .waiting()
-        .map(|(hand, direction, start, end, piece)| Waiting {
+        .map(|(hand, direction, Part { start, end, piece })| Waiting {
             hand,
             direction,
             start,
@@ -40,15 +49,16 @@ pub fn finish<P: Payload>(solver: &Solver<P>, walk: &Walk, weight: f64, outcome:
     let left: f64 = waiting.iter().map(|w| w.stokes[0]).sum();
     // tiny negative pieces, which rounding makes, are no light to follow: they stay in the account
     outcome.residual += weight * (solver.waiting_power() - left);
+    let rays = rays(left);
     let sobol = Sobol { seed: SEED };
     let (mut passed, mut index) = (0.0, 0);
     for w in &waiting {
         let from = passed;
         passed += w.stokes[0];
-        // systematic sampling: ray i stands at (i + ½) / RAYS of the light
-        while index < RAYS && (f64::from(index) + 0.5) / f64::from(RAYS) * left < passed {
-            let share = ((f64::from(index) + 0.5) / f64::from(RAYS) * left - from) / w.stokes[0];
-            let power = weight * left / f64::from(RAYS);
+        // systematic sampling: ray i stands at (i + ½) / rays of the light
+        while index < rays && (f64::from(index) + 0.5) / f64::from(rays) * left < passed {
+            let share = ((f64::from(index) + 0.5) / f64::from(rays) * left - from) / w.stokes[0];
+            let power = weight * left / f64::from(rays);
             let polarisation = [1, 2, 3].map(|i| w.stokes[i] / w.stokes[0]);
             let mut draw = Draw::spread(&sobol, index);
             let place = w.start + (w.end - w.start) * share.clamp(0.0, 1.0);

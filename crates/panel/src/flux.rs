@@ -8,6 +8,7 @@ mod section;
 mod sight;
 mod solver;
 
+pub use density::Part;
 pub use payload::{Payload, film_reflectance};
 pub use section::{Strip, strips};
 pub use solver::{Limits, Solver};

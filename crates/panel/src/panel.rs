@@ -208,7 +208,7 @@ impl Outcome {
     /// A bound on the standard error of any share by the walk that finished: that of as many independent rays, of which
     /// half go one way.
     pub fn walked_standard_error(&self) -> f64 {
-        0.5 * self.walked / f64::from(finish::RAYS).sqrt()
+        0.5 * self.walked / f64::from(finish::rays(self.walked)).sqrt()
     }
 
     /// Adds light to the beam of its direction.

@@ -9,7 +9,7 @@ from clerestory import _native
 from clerestory.errors import ClerestoryError
 from clerestory.layers.gap import Gap
 from clerestory.medium import Medium
-from clerestory.panels.optics import ARC_CHORDS, POLARISATIONS, checked_tolerance, exact_optics
+from clerestory.panels.optics import ARC_CHORDS, POLARISATIONS, WINDOW_PIECES, checked_tolerance, exact_optics
 from clerestory.panels.panel import Panel
 from clerestory.panels.wavelengths import Samples, samples
 from clerestory.rules import one_of
@@ -89,7 +89,12 @@ def _layer(layer: Glazing, wavelength_nm: float | None, polarisation: str, toler
     if isinstance(layer, Panel):
         # within a panel polarisation is always resolved; the word is about what goes from layer to layer
         optics, _ = exact_optics(
-            layer, wavelength_nm=wavelength_nm, polarisation="resolved", tolerance=tolerance, arc_chords=ARC_CHORDS
+            layer,
+            wavelength_nm=wavelength_nm,
+            polarisation="resolved",
+            tolerance=tolerance,
+            arc_chords=ARC_CHORDS,
+            most_pieces=WINDOW_PIECES,
         )
         return optics.glazing()
     if isinstance(layer, Stack):

@@ -81,10 +81,15 @@ class Panel:
 
     def glazing(self) -> _native.Glazing:
         """The panel as what fills a window: polarisation resolved, daylight as the eye weighs it, arcs as chords."""
-        from clerestory.panels.optics import exact_optics
+        from clerestory.panels.optics import WINDOW_PIECES, exact_optics
 
         optics, _ = exact_optics(
-            self, wavelength_nm=None, polarisation="resolved", tolerance=TOLERANCE, arc_chords=ARC_CHORDS
+            self,
+            wavelength_nm=None,
+            polarisation="resolved",
+            tolerance=TOLERANCE,
+            arc_chords=ARC_CHORDS,
+            most_pieces=WINDOW_PIECES,
         )
         return optics.glazing()
 

@@ -1,13 +1,14 @@
 //! The exact solver: plane waves between facets, split by Fresnel, merged wherever they meet again.
 //!
-//! Light that arrives at one hand of a facet in one direction is a *bundle*: a density along the facet. The strongest bundle
-//! is taken, split into a mirrored and a refracted part, and each part handed to the facets it sees, where it is added to
+//! Light that arrives at one hand of a facet in one direction is a *bundle*: a density along the facet. The strongest bundles
+//! are taken, split into a mirrored and a refracted part, and each part handed to the facets it sees, where it is added to
 //! what already waits there. The work grows with the number of bundles, not with the number of paths
 //! (theory/panels.md, section "The exact solver").
 
+mod emission;
+
 use super::{
-    attenuation::{dimmed, parts},
-    density::{Density, Piece},
+    density::{Density, Part, Piece},
     directions::{DirectionId, Directions},
     payload::{Payload, Turns},
     sight::{Sight, Source, Target, look},
@@ -34,6 +35,9 @@ impl Default for Limits {
 /// Bundles (facet, hand and direction) kept at most: cuts whose tilt is no even part of a turn send light into ever new
 /// directions, and there the walk that finishes is the better tool.
 const MOST_BUNDLES: usize = 1500;
+/// A bundle's turn comes when it has this share of what the strongest has: few looks at all of them, and light that comes
+/// from many has time to gather.
+const STRONG: f64 = 0.25;
 /// Share of the tolerance that joining neighbours may displace in all, and at one joint.
 const DISPLACED_SHARE: f64 = 1.0;
 const MERGE_SHARE: f64 = 1e-3;
@@ -112,6 +116,9 @@ pub struct Solver<P: Payload> {
     pieces: u64,
     sights: Vec<Sight>,
     taken: Density<P>,
+    spare: Density<P>,
+    sent: Vec<Part<P>>,
+    arriving: Vec<Part<P>>,
 }
 
 impl<P: Payload> Default for Solver<P> {
@@ -131,6 +138,9 @@ impl<P: Payload> Default for Solver<P> {
             pieces: 0,
             sights: Vec::new(),
             taken: Density::default(),
+            spare: Density::default(),
+            sent: Vec::new(),
+            arriving: Vec::new(),
         }
     }
 }
@@ -147,20 +157,23 @@ impl<P: Payload> Solver<P> {
         let z = if incident.z > 0.0 { z_min } else { z_max };
         let sky = Source { start: Vec2::new(z, 0.0), end: Vec2::new(z, profile.period()), hand: None, medium };
         let entry = self.open_channel(profile, media, sky, direction);
-        self.emit(entry, 0.0, 1.0, Piece { mean: light, slope: P::ZERO, total_reflections: 0 });
-        while self.pieces < limits.most_pieces && self.bundle_count < MOST_BUNDLES {
-            let mut strongest = (0, 0.0);
-            let mut waiting = 0.0;
-            for (i, &power) in self.waiting.iter().enumerate() {
-                waiting += power;
-                if power > strongest.1 {
-                    strongest = (i, power);
-                }
-            }
-            if waiting <= limits.tolerance {
+        let piece = Piece { mean: light, slope: P::ZERO, total_reflections: 0 };
+        self.emit(entry, &[Part { start: 0.0, end: 1.0, piece }]);
+        loop {
+            let strongest = self.waiting.iter().fold(0.0, |most: f64, &power| most.max(power));
+            if self.waiting_power() <= limits.tolerance {
                 break;
             }
-            self.take(profile, media, strongest.0);
+            let enough = STRONG * strongest;
+            for i in 0..self.bundle_count {
+                if self.waiting[i] < enough {
+                    continue;
+                }
+                if self.pieces >= limits.most_pieces || self.bundle_count >= MOST_BUNDLES {
+                    return;
+                }
+                self.take(profile, media, i);
+            }
         }
     }
 
@@ -205,10 +218,10 @@ impl<P: Payload> Solver<P> {
     }
 
     /// What still waits: where, in which direction, over which stretch of the facet.
-    pub fn waiting(&self) -> impl Iterator<Item = (HalfEdge, Vec3, f64, f64, &Piece<P>)> {
+    pub fn waiting(&self) -> impl Iterator<Item = (HalfEdge, Vec3, Part<P>)> {
         self.bundles[..self.bundle_count].iter().flat_map(|b| {
             let vector = self.directions.vector(b.direction);
-            b.density.lit().map(move |(start, end, piece)| (b.at, vector, start, end, piece))
+            b.density.lit().map(move |part| (b.at, vector, part))
         })
     }
 
@@ -233,23 +246,27 @@ impl<P: Payload> Solver<P> {
             }
         };
         let mut taken = std::mem::take(&mut self.taken);
-        self.bundles[index].density.pour_into(&mut taken);
+        let mut sent = std::mem::take(&mut self.sent);
+        self.bundles[index].density.pour_into(&mut taken, self.waiting[index], &mut self.spare);
         if self.displaced < self.allowance {
             self.displaced += taken.coarsen(self.allowance * MERGE_SHARE);
         }
         self.waiting[index] = 0.0;
         for exit in exits.into_iter().flatten() {
-            for (start, end, piece) in taken.lit() {
-                let sent = Piece {
-                    mean: piece.mean.after(&exit.action),
-                    slope: piece.slope.after(&exit.action),
-                    total_reflections: piece.total_reflections.saturating_add(u16::from(exit.adds_total_reflection)),
-                };
-                self.emit(exit.channel, start, end, sent);
-            }
+            sent.clear();
+            sent.extend(taken.lit().map(|part| Part {
+                piece: Piece {
+                    mean: part.piece.mean.after(&exit.action),
+                    slope: part.piece.slope.after(&exit.action),
+                    total_reflections:
+                        part.piece.total_reflections.saturating_add(u16::from(exit.adds_total_reflection)),
+                },
+                ..part
+            }));
+            self.emit(exit.channel, &sent);
         }
         taken.clear();
-        self.taken = taken;
+        (self.taken, self.sent) = (taken, sent);
     }
 
     /// Snell and Fresnel for a bundle: the part that is mirrored and the part that goes through.
@@ -357,65 +374,5 @@ impl<P: Payload> Solver<P> {
             self.leaving.push(Leaving { direction, light: P::ZERO, total_reflections: u16::MAX });
             self.leaving.len() - 1
         }) as u32
-    }
-
-    /// Hands a piece of light that leaves through a channel to all that the channel sees.
-    fn emit(&mut self, channel: u32, start: f64, end: f64, piece: Piece<P>) {
-        let Channel { first, last, absorption, .. } = self.channels[channel as usize];
-        let middle = 0.5 * (start + end);
-        let skipped = self.stretches[first as usize..last as usize].partition_point(|s| s.sight.end <= start) as u32;
-        // what rounding put beyond the ends belongs to the outermost stretches
-        for i in (first + skipped).min(last - 1)..last {
-            let Stretch { sight, sink } = self.stretches[i as usize];
-            let from = if i == first { start } else { start.max(sight.start) };
-            let to = if i + 1 == last { end } else { end.min(sight.end) };
-            if to <= from {
-                break;
-            }
-            self.pieces += 1;
-            let part = |a: f64, b: f64| Piece { mean: piece.at(0.5 * (a + b) - middle), ..piece };
-            match sink {
-                Sink::Leaving(i) => {
-                    let leaving = &mut self.leaving[i as usize];
-                    leaving.light = leaving.light.plus(part(from, to).mean.times(to - from));
-                    leaving.total_reflections = leaving.total_reflections.min(piece.total_reflections);
-                }
-                Sink::Nowhere => self.lost += part(from, to).mean.power() * (to - from),
-                Sink::Bundle(i) if absorption == 0.0 => self.arrive(i, &sight, from, to, part(from, to)),
-                Sink::Bundle(i) => {
-                    // where absorption changes much along the piece, its parts are dimmed one by one
-                    let count = parts(&sight, absorption, from, to);
-                    let step = (to - from) / f64::from(count);
-                    for k in 0..count {
-                        let (a, b) = (from + f64::from(k) * step, from + f64::from(k + 1) * step);
-                        let whole = part(a, b);
-                        let left = dimmed(&whole, &sight, absorption, a, b);
-                        self.absorbed += (whole.mean.power() - left.mean.power()) * (b - a);
-                        self.arrive(i, &sight, a, b, left);
-                    }
-                }
-            }
-        }
-    }
-
-    /// Adds a piece that left over `from..to` of its source to the bundle it reaches.
-    fn arrive(&mut self, bundle: u32, sight: &Sight, from: f64, to: f64, piece: Piece<P>) {
-        let light = piece.mean.times(to - from);
-        let power = light.power();
-        if power == 0.0 {
-            return;
-        }
-        self.waiting[bundle as usize] += power;
-        let (offset, stretch) = sight.place;
-        let (a, b) = ((offset + stretch * from).clamp(0.0, 1.0), (offset + stretch * to).clamp(0.0, 1.0));
-        let (low, high) = (a.min(b), a.max(b));
-        let density = &mut self.bundles[bundle as usize].density;
-        if high > low {
-            // per unit of the target's length
-            let (mean, slope) = (light.times(1.0 / (high - low)), piece.slope.times(1.0 / (stretch * stretch.abs())));
-            density.add(low, high, Piece { mean, slope, ..piece });
-        } else {
-            density.add_point(low, light, piece.total_reflections);
-        }
     }
 }
