@@ -143,6 +143,32 @@ class Glazing:
         reflection_front: NDArray[float64] | None,
         reflection_back: NDArray[float64] | None,
     ) -> Glazing: ...
+    def klems(
+        self,
+        basis: str | KlemsBasis,
+        *,
+        places: tuple[int, int],
+        tolerance: float,
+        draws: int,
+        seed: int,
+    ) -> tuple[
+        list[NDArray[float64]],
+        list[NDArray[float64]] | None,
+        tuple[NDArray[float64], list[tuple[str, float]]],
+    ]: ...
+    def tree(
+        self,
+        rank: int,
+        log2_resolution: int,
+        *,
+        merged: float,
+        places: tuple[int, int],
+        tolerance: float,
+        draws: int,
+        seed: int,
+    ) -> tuple[list[NDArray[float64]], tuple[NDArray[float64], list[tuple[str, float]]] | None]: ...
+    @property
+    def has_lobes(self) -> bool: ...
     @property
     def spreads(self) -> bool: ...
     def bsdf(self, incident: NDArray[float64], outgoing: NDArray[float64]) -> NDArray[float64]: ...

@@ -188,6 +188,12 @@ pub enum OpticsError {
         /// What was given.
         rank: usize,
     },
+    /// A tree of rank 3 of an element that has an up and a right.
+    #[error(
+        "rank 3 is for elements with exact beams that are the same turned about their normal, as clear panes are; \
+         use rank=4 for this one"
+    )]
+    NotIsotropic,
     /// A walk of a tree that is no tree.
     #[error("the preorder walk of a tensor tree must {rule}, which fails at place {at}; check the file it comes from")]
     TreeLength {

@@ -3,6 +3,7 @@
 
 #![warn(clippy::unwrap_used, clippy::expect_used)]
 
+mod averaging;
 mod bsdf;
 mod error;
 pub mod formulas;
@@ -11,6 +12,7 @@ mod interface;
 mod medium;
 mod stokes;
 
+pub use averaging::{Averaging, Cells, Exchange, Way, has_lobes, isotropic_trees};
 pub use bsdf::{Block, Blocks, Bsdf, Matrix, Tree, TreeWriter};
 pub use error::OpticsError;
 pub use glazing::{

@@ -9,7 +9,9 @@ use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2,
     ndarray::{Array2, ArrayView2},
 };
-use optics::{Block, Blocks, Bsdf, Matrix, OpticsError, Tree};
+use optics::{
+    Averaging, Block, Blocks, Bsdf, Cells, Exchange, Glazing, Matrix, OpticsError, Side, Tree, Way, isotropic_trees,
+};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -138,6 +140,94 @@ pub fn of_trees(py: Python<'_>, rank: usize, blocks: [Option<PyReadonlyArray1<'_
     let walks = blocks.map(|block| block.map(|walk| walk.as_array().to_vec()));
     let tree = |walk: Vec<f64>| Tree::from_preorder(rank, &walk).map(Block::Tree);
     py.detach(|| glazing(walks.map(|walk| walk.map(tree)))).map_err(errors::optics)
+}
+
+/// How closely to average, from Python's words.
+pub fn averaging(places: (usize, usize), tolerance: f64, draws: u32, seed: u64) -> Averaging {
+    Averaging { places: places.0, most_places: places.1, tolerance, draws, seed }
+}
+
+/// The blocks in the order of every list of them: transmission front and back, reflection front and back.
+const BLOCKS: [(Side, Way); 4] = [
+    (Side::Front, Way::Transmission),
+    (Side::Back, Way::Transmission),
+    (Side::Front, Way::Reflection),
+    (Side::Back, Way::Reflection),
+];
+
+/// Shares absorbed, (side, cell), and the accounts by name.
+pub type Accounts<'py> = (Bound<'py, PyArray2<f64>>, Vec<(&'static str, f64)>);
+
+fn accounts<'py>(py: Python<'py>, exchange: &Exchange) -> Accounts<'py> {
+    let count = exchange.cells().count();
+    let absorbed = Array2::from_shape_fn((2, count), |(side, cell)| exchange.absorbed[side * count + cell]);
+    let by_name = vec![
+        ("residual", exchange.residual),
+        ("change", exchange.change),
+        ("asymmetry", exchange.asymmetry),
+        ("correction", exchange.correction),
+        ("misfit", exchange.misfit),
+        ("draws", f64::from(exchange.draws.unwrap_or(0))),
+    ];
+    (absorbed.into_pyarray(py), by_name)
+}
+
+/// Four tables (outgoing, incident).
+pub type Tables<'py> = Vec<Bound<'py, PyArray2<f64>>>;
+
+/// Averages over Klems patches: tables [1/sr], their standard errors if drawn, and the accounts.
+pub fn klems<'py>(
+    py: Python<'py>,
+    glazing: &dyn Glazing,
+    basis: &BasisOrName<'_>,
+    how: &Averaging,
+) -> PyResult<(Tables<'py>, Option<Tables<'py>>, Accounts<'py>)> {
+    let basis = basis.basis()?;
+    if basis.rings().iter().any(|ring| ring.count > 1 && ring.count % 2 == 1) {
+        return Err(mistake(
+            "basis must have rings of an even number of patches, so that light can turn back; use klems_full",
+        ));
+    }
+    let (exchange, tables, errors) = py.detach(|| {
+        let exchange = Exchange::of(glazing, Cells::Klems(basis), how);
+        let tables = BLOCKS.map(|(side, way)| exchange.table(side, way));
+        let errors = BLOCKS.map(|(side, way)| exchange.standard_error(side, way));
+        (exchange, tables, errors)
+    });
+    let count = exchange.cells().count();
+    let array = |table: Vec<f64>| Array2::from_shape_fn((count, count), |(o, i)| table[o * count + i]).into_pyarray(py);
+    let errors: Option<Vec<_>> = errors.into_iter().collect();
+    let errors = errors.map(|errors| errors.into_iter().map(array).collect());
+    Ok((tables.into_iter().map(array).collect(), errors, accounts(py, &exchange)))
+}
+
+/// Four preorder walks, and the accounts if there are any.
+pub type Trees<'py> = (Vec<Bound<'py, PyArray1<f64>>>, Option<Accounts<'py>>);
+
+/// Averages over the squares of a tensor tree: four preorder walks, and the accounts of a tree of rank 4.
+pub fn tree<'py>(
+    py: Python<'py>,
+    glazing: &dyn Glazing,
+    (rank, log2_resolution): (usize, u32),
+    merged: f64,
+    how: &Averaging,
+) -> PyResult<Trees<'py>> {
+    let arrays = |walks: [Vec<f64>; 4]| walks.into_iter().map(|walk| walk.into_pyarray(py)).collect();
+    match rank {
+        3 => {
+            let walks = py.detach(|| isotropic_trees(glazing, log2_resolution, how, merged));
+            Ok((arrays(walks.map_err(errors::optics)?), None))
+        }
+        4 => {
+            let (exchange, walks) = py.detach(|| {
+                let exchange = Exchange::of(glazing, Cells::Grid(log2_resolution), how);
+                let walks = BLOCKS.map(|(side, way)| exchange.tree(side, way, merged).unwrap_or_default());
+                (exchange, walks)
+            });
+            Ok((arrays(walks), Some(accounts(py, &exchange))))
+        }
+        _ => Err(errors::optics(OpticsError::TreeRank { rank })),
+    }
 }
 
 /// Adds the class to the module.
