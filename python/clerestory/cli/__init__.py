@@ -2,6 +2,7 @@
 
 import typer
 
+from clerestory.cli.bsdf import bsdf
 from clerestory.cli.convert import convert
 from clerestory.cli.design import design
 from clerestory.cli.doctor import doctor
@@ -22,6 +23,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.add_typer(panel, name="panel")
+app.add_typer(bsdf, name="bsdf")
 app.command("room")(room)
 app.command("sweep")(sweep)
 app.command("design")(design)

@@ -1,5 +1,8 @@
 """Figures: every function takes data, knows no physics and returns a matplotlib Figure."""
 
+from clerestory.plots.bsdf_cut import bsdf_cut
+from clerestory.plots.bsdf_discs import bsdf_discs
+from clerestory.plots.bsdf_shares import bsdf_shares
 from clerestory.plots.deflected_fraction import deflected_fraction
 from clerestory.plots.dispersion import dispersion
 from clerestory.plots.radial import radial
@@ -12,6 +15,9 @@ from clerestory.plots.sky_dome import sky_dome
 from clerestory.plots.weather_carpet import weather_carpet
 
 __all__ = [
+    "bsdf_cut",
+    "bsdf_discs",
+    "bsdf_shares",
     "deflected_fraction",
     "dispersion",
     "radial",
