@@ -34,6 +34,9 @@ CASES = (
     "sun_through_pane",
     "panel_lights_ceiling",
     "drawn_panel",
+    "year_sky",
+    "year_brute_force",
+    "year_radiance",
 )
 
 

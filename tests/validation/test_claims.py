@@ -5,9 +5,13 @@ import re
 import pytest
 from tests.validation.cases import CASES, FOLDER, claim
 
-
 #: Packages that a case compares with; a machine without them leaves it out.
-OTHER_PROGRAMS = {"radiance_room": ["pyradiance"], "layered_glazing": ["pywincalc"]}
+OTHER_PROGRAMS = {
+    "radiance_room": ["pyradiance"],
+    "layered_glazing": ["pywincalc"],
+    "year_sky": ["pyradiance"],
+    "year_radiance": ["pyradiance"],
+}
 
 
 @pytest.mark.parametrize("case", CASES)
