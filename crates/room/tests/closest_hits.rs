@@ -59,13 +59,13 @@ fn soup(n: usize, about: Vec3, scale: f64) -> Mesh {
     Mesh::new(&vertices, &indices)
 }
 
-/// A closed bumpy ball about a point.
+/// A closed bumpy ball about a point, its bumps low enough that none hides another from rays that begin within.
 fn ball(rings: usize, sectors: usize, about: Vec3) -> Mesh {
     let mut vertices = vec![about + 5.0 * Vec3::Z, about - 5.0 * Vec3::Z];
     for i in 1..rings {
         for j in 0..sectors {
             let (t, p) = (PI * i as f64 / rings as f64, TAU * j as f64 / sectors as f64);
-            let r = 5.0 + 0.3 * (9.0 * t).sin() * (11.0 * p).cos();
+            let r = 5.0 + 0.3 * t.sin().powi(2) * (9.0 * t).sin() * (11.0 * p).cos();
             vertices.push(about + r * Vec3::new(t.sin() * p.cos(), t.sin() * p.sin(), t.cos()));
         }
     }
@@ -126,7 +126,7 @@ fn closest_hits_are_those_of_trying_every_triangle() {
 /// Rays at the very edges and corners of a closed surface never slip through, near the origin or far from it.
 #[test]
 fn no_ray_slips_between_neighbours() {
-    for about in [Vec3::ZERO, Vec3::new(4e3, 1e3, -900.0)] {
+    for about in [Vec3::ZERO, Vec3::new(4e5, 1e5, -9e4)] {
         let mesh = ball(40, 60, about);
         let mut rng = Rng::new(7, 0);
         for k in 0..20_000 {
