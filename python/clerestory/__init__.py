@@ -14,8 +14,10 @@ if TYPE_CHECKING:
     from clerestory.bsdf.reading import read_bsdf
     from clerestory.coefficients import SensorWarning, daylight_coefficients
     from clerestory.compare import Comparison, compare
+    from clerestory.design import read_design, run_design
     from clerestory.drawing.line import Face, Outline
     from clerestory.errors import ClerestoryError
+    from clerestory.exchange import read_hbjson
     from clerestory.glazing import Glass, Open, PlainTransmittance, Slab, Stack, TregenzaSharples
     from clerestory.illuminance import average_by_group, daylight_factor, illuminance, sun_illuminance, uniformity
     from clerestory.layers.gap import Gap
@@ -65,6 +67,7 @@ if TYPE_CHECKING:
     from clerestory.sun import sun_position
     from clerestory.sun_coefficients import sun_coefficients
     from clerestory.sunlight import direct_normal_illuminance_lx
+    from clerestory.sweep import read_sweep, run_sweep
     from clerestory.weather import (
         Weather,
         diffuse_horizontal_illuminance_lx,
@@ -150,14 +153,19 @@ __all__ = [
     "occupied_hours",
     "panel_from_dict",
     "read_bsdf",
+    "read_design",
     "read_epw",
+    "read_hbjson",
     "read_measured",
     "read_meshes",
     "read_panel",
     "read_profile",
     "read_radiance",
     "read_room",
+    "read_sweep",
     "read_wea",
+    "run_design",
+    "run_sweep",
     "save",
     "sky_basis",
     "sky_matrix",
@@ -272,6 +280,11 @@ _PLACES = {
     "read_wea": "clerestory.weather",
     "sky_matrix": "clerestory.weather",
     "sun_normal_illuminance_lx": "clerestory.weather",
+    "read_design": "clerestory.design",
+    "run_design": "clerestory.design",
+    "read_hbjson": "clerestory.exchange",
+    "read_sweep": "clerestory.sweep",
+    "run_sweep": "clerestory.sweep",
 }
 
 

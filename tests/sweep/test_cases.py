@@ -126,3 +126,26 @@ def test_parts_that_are_there_are_not_computed_again(tmp_path, monkeypatch):
     assert tally.computed == 1
     assert counted_before == [[0, 5], [5, 10]]
     assert counted[1:] == [[10, 12]]
+
+
+def test_a_case_of_kind_year_is_what_the_year_finds(tmp_path, monkeypatch):
+    """The kind calls `clerestory.year.evaluate` with the tables of the case and the folder of its files."""
+    import sys
+    from types import ModuleType
+
+    import xarray as xr
+
+    asked = []
+    year = ModuleType("clerestory.year")
+
+    def of_year(tables, *, where):
+        asked.append((tables, where))
+        return xr.Dataset({"sda": 0.5 + 0.1 * tables["room"]["sill_m"]})
+
+    year.evaluate = of_year
+    monkeypatch.setitem(sys.modules, "clerestory.year", year)
+    tables = {"kind": "year", "base": {"room": {"sill_m": 1.0}}, "parameters": {"room.sill_m": [1.0, 2.0]}}
+    study = sweep_of(tables, where=tmp_path, name="years.toml")
+    assert run_sweep(study, tmp_path / "out", workers=0).computed == 2
+    assert asked[1] == ({"room": {"sill_m": 2.0}}, tmp_path.resolve())
+    np.testing.assert_allclose(gather(study, tmp_path / "out").sda, [0.6, 0.7])

@@ -13,6 +13,8 @@ import typer
 
 #: Optional packages and what they are for.
 EXTRAS = {
+    "distributed": "sweeps on many machines",
+    "optuna": "design",
     "mitsuba": "race against Mitsuba 3",
     "pyradiance": "race against Radiance",
     "hypothesis": "tests",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from importlib import import_module
 from typing import Any
 
@@ -17,7 +17,7 @@ CONNECT_S = 20.0
 """How long to wait for a scheduler."""
 
 
-def on_cluster(tasks: Iterable[Task], scheduler: str) -> Iterator[Outcome]:
+def on_cluster(tasks: Iterable[Task], scheduler: str, do: Callable[[Task], Outcome] = work) -> Iterator[Outcome]:
     """Tasks on the workers of a scheduler, in the order in which they are done.
 
     Parameters
@@ -25,6 +25,8 @@ def on_cluster(tasks: Iterable[Task], scheduler: str) -> Iterator[Outcome]:
     tasks : sequence of Task
     scheduler : str
         Address such as ``"tcp://10.0.0.1:8786"``, or the path of a scheduler file.
+    do : callable, default `work`
+        What a worker does with a task.
 
     Raises
     ------
@@ -58,7 +60,7 @@ def on_cluster(tasks: Iterable[Task], scheduler: str) -> Iterator[Outcome]:
 
     def submit(task: Task) -> Any:
         # tasks of the same name are one task to the scheduler, whoever asks
-        return client.submit(work, task, key=f"clerestory-{task.key}", pure=True)
+        return client.submit(do, task, key=f"clerestory-{task.key}", pure=True)
 
     try:
         first = [submit(todo.popleft()) for _ in range(min(IN_FLIGHT, len(todo)))]
