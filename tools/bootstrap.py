@@ -215,6 +215,7 @@ def bench():
     do(PYTHON, os.path.join("benches", "peers", "race.py"))
     do(PYTHON, os.path.join("benches", "peers", "room_race.py"))
     do(PYTHON, os.path.join("benches", "peers", "year_race.py"))
+    do(PYTHON, os.path.join("benches", "sweep", "scaling.py"))
 
 
 def wheel():
