@@ -39,12 +39,13 @@ def test_reciprocity_is_kept_and_errors_shrink() -> None:
     assert (coarse.standard_error <= 0.1 * coarse.values + 1e-12).all()
 
 
-def test_a_tree_has_its_power_as_a_matrix() -> None:
-    tree = uneven_tree(3)
-    matrix = in_basis(tree, "klems_full")
+@pytest.mark.parametrize("rank", [3, 4])
+def test_a_tree_has_its_power_as_a_matrix(rank: int) -> None:
+    tree = uneven_tree(3, rank)
+    basis = klems_basis("klems_quarter")
+    matrix = in_basis(tree, basis)
     assert matrix.mean() == pytest.approx(tree.mean(), rel=2e-3)
-    # one patch by a quadrature of its own
-    basis = klems_basis("klems_full")
+    # some patches by a quadrature of their own
     rng = np.random.default_rng(1)
 
     def inside(patch: int, count: int) -> np.ndarray:
@@ -53,24 +54,10 @@ def test_a_tree_has_its_power_as_a_matrix() -> None:
         phi = rng.uniform(first, last, count)
         return np.stack([sine * np.cos(phi), sine * np.sin(phi)], axis=-1)
 
-    for into, out in [(0, 0), (20, 77), (120, 3)]:
+    for into, out in [(0, 0), (3, 5), (10, 30), (38, 34), (35, 20)]:
         drawn = tree.at(inside(into, 200_000), inside(out, 200_000))
         error = drawn.std() / np.sqrt(drawn.size)
         assert abs(matrix.values[out, into] - drawn.mean()) < 4.0 * error + 0.005 * drawn.mean()
-
-
-def test_a_tree_without_azimuth_turns_with_the_light() -> None:
-    tree = uneven_tree(4, rank=3)
-    matrix = in_basis(tree, "klems_quarter")
-    basis = klems_basis("klems_quarter")
-    # one eighth of a turn moves the patches of rings of 8 and of 12 that hold it alike: compare hemispheres
-    for ring in range(len(basis.counts)):
-        chosen = matrix.hemispherical()[basis.ring == ring]
-        assert chosen == pytest.approx(chosen[0], rel=0.02)
-    assert matrix.mean() == pytest.approx(tree.mean(), rel=0.02)
-    ring = basis.ring == 4
-    turned = matrix.values[np.ix_(ring, ring)]
-    assert np.roll(np.roll(turned, 1, 0), 1, 1) == pytest.approx(turned, rel=1e-6)
 
 
 def test_points_of_the_square_find_their_patches() -> None:

@@ -5,14 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from clerestory.bsdf.band import Block
+from clerestory.bsdf.isotropic import of_isotropic
 from clerestory.bsdf.klems import Floats, KlemsBasis, klems_basis
 from clerestory.bsdf.klems_block import KlemsBlock
 from clerestory.bsdf.overlap import cells_in_patches, overlap
-from clerestory.bsdf.shirley_chiu import square_to_disc
 from clerestory.bsdf.tree_block import TreeBlock
-
-#: Directions of incidence in each patch, by sin²θ and by azimuth, when a tree of rank 3 is averaged.
-_INCIDENT = (6, 6)
 
 
 def in_basis(block: Block, basis: str | KlemsBasis) -> KlemsBlock:
@@ -37,7 +34,7 @@ def in_basis(block: Block, basis: str | KlemsBasis) -> KlemsBlock:
     wanted = klems_basis(basis)
     if isinstance(block, KlemsBlock):
         return _of_klems(block, wanted)
-    return _of_isotropic(block, wanted) if block.rank == 3 else _of_tree(block, wanted)
+    return of_isotropic(block, wanted) if block.rank == 3 else _of_tree(block, wanted)
 
 
 def _of_klems(block: KlemsBlock, basis: KlemsBasis) -> KlemsBlock:
@@ -67,25 +64,3 @@ def _of_tree(tree: TreeBlock, basis: KlemsBasis) -> KlemsBlock:
     # each incident direction's power is kept: the mean is over the points that were found in the patch
     found = np.asarray(cells_in_patches(basis, 0).toarray())[:, 0]
     return KlemsBlock(total / basis.projected_solid_angle[:, None] / found[None, :], basis, basis)
-
-
-def _of_isotropic(tree: TreeBlock, basis: KlemsBasis) -> KlemsBlock:
-    side = max(64, 2 ** (tree.depth + 1))
-    u = (np.arange(side) + 0.5) / side
-    out = square_to_disc(np.stack(np.meshgrid(u, u, indexing="ij"), axis=-1).reshape(-1, 2))
-    radius, azimuth = np.hypot(out[:, 0], out[:, 1]), np.arctan2(out[:, 1], out[:, 0])
-    total: Floats = np.zeros((len(basis), len(basis)))
-    by_theta, by_phi = _INCIDENT
-    shares = (np.arange(by_theta) + 0.5) / by_theta, (np.arange(by_phi) + 0.5) / by_phi
-    first = np.concatenate([[0], np.cumsum(basis.counts)])
-    for ring, count in enumerate(basis.counts):
-        sine2 = np.sin(np.radians(basis.theta_deg[ring : ring + 2])) ** 2
-        for share in shares[0]:
-            sine = np.sqrt(sine2[0] + share * (sine2[1] - sine2[0]))
-            power = tree.at([sine, 0.0], out) * np.pi / side**2
-            for turn in shares[1]:
-                for number in range(count):
-                    phi = (number - 0.5 + turn) * 2.0 * np.pi / count + azimuth
-                    patch = basis.find(radius * np.cos(phi), radius * np.sin(phi))
-                    total[:, first[ring] + number] += np.bincount(patch, weights=power, minlength=len(basis))
-    return KlemsBlock(total / (by_theta * by_phi) / basis.projected_solid_angle[:, None], basis, basis)
