@@ -1,5 +1,7 @@
 """A year of illuminance from coefficients, skies and suns."""
 
+import tracemalloc
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -209,9 +211,11 @@ def test_difference_of_the_nearest_suns_is_told(weather):
     assert 0.0 < float(told.offset_deg.max()) < 1.6
     assert abs(told.attrs["mean_relative_difference"]) < 0.3
     assert 0.0 <= told.attrs["share_of_flips"] <= 1.0
-    same = sun_placement_difference(room(), None, weather, hours=6, rounds=2, suns="reinhart82945")
-    assert same.attrs["rms_relative_difference"] < told.attrs["rms_relative_difference"] + 0.05
-    assert float(same.offset_deg.max()) < 0.5
+    assert told.attrs["rms_relative_noise"] > 0.0
+    near = sun_placement_difference(room(), None, weather, hours=6, rounds=2, suns="reinhart82945")
+    assert float(near.offset_deg.max()) < 0.5
+    # what is left is no more than the noise of the two allows
+    assert near.attrs["rms_relative_difference"] < 4.0 * near.attrs["rms_relative_noise"] + 0.02
 
 
 def test_more_transmittance_never_means_less_light(coefficients, suns, weather, year):
@@ -248,3 +252,24 @@ def test_wrong_pairs_are_refused(coefficients, suns, weather, tmp_path):
     night = Weather.from_frame(weather.frame * 0.0, SITE)
     with pytest.raises(ClerestoryError, match="weather must have direct irradiance while the sun is up"):
         annual_sun_coefficients(room(), None, night)
+
+
+def test_memory_stays_below_what_is_allowed(miami_year, tmp_path):
+    """Coefficients of 200 sensors and 2305 patches, results of 3.5 MB and a sky of 20 MB, within 10 MB."""
+    coefficients = field_of(200, "reinhart2305")
+    tracemalloc.start()
+    before = tracemalloc.get_traced_memory()[0]
+    annual_illuminance(coefficients, None, miami_year, max_memory_mb=10.0, store=tmp_path / "year.zarr")
+    peak = tracemalloc.get_traced_memory()[1] - before
+    tracemalloc.stop()
+    assert peak < 10e6
+
+
+def field_of(count, basis):
+    one = open_field(basis)
+    return xr.concat([one] * count, dim="sensor", data_vars="all", coords="all")
+
+
+@pytest.fixture(scope="module")
+def miami_year():
+    return days(90)

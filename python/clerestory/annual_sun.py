@@ -99,7 +99,8 @@ def sun_placement_difference(
     -------
     Dataset, dims ("sensor", "time")
         `exact` and `nearest` [lx], all parts together; `offset_deg` ("time"). Attributes: `mean_relative_difference` of
-        the mean over sensors and times, `rms_relative_difference` of the mean over the sensors time by time, and
+        the mean over sensors and times, `rms_relative_difference` of the mean over the sensors time by time,
+        `rms_relative_noise`, what of that may be the standard errors of the two (more ``rounds`` lessen it), and
         `share_of_flips`, sensor and time at which the sun's direct light is there in one and not in the other.
     """
     directions, rows = sunny_directions(weather)
@@ -111,12 +112,14 @@ def sun_placement_difference(
     edges = np.linspace(0, len(rows), min(hours, len(rows)) + 1)
     drawn = np.random.default_rng(seed).uniform(edges[:-1], edges[1:]).astype(np.int64)
     normal = light_of(weather).direct_normal_lx[rows[drawn]]
-    both, offset, direct = {}, np.zeros(len(drawn)), {}
+    both, offset, direct, noise = {}, np.zeros(len(drawn)), {}, np.zeros(len(drawn))
     for name, places in (("exact", directions[drawn]), ("nearest", _centres(suns, directions[drawn]))):
         altitude, azimuth = _angles(places)
         found = sun_coefficients(room, sensors, altitude_deg=altitude, azimuth_deg=azimuth, rounds=rounds, seed=seed)
         which, offset = nearest_suns(found, directions[drawn])
         part = {part: found[part].values[:, which] * normal for part in PARTS}
+        # errors of the sensors go together: the mean of them bounds that of the mean
+        noise += (found.interreflected_standard_error.values[:, which].mean(axis=0) * normal) ** 2
         both[name], direct[name] = sum(part.values()), part["direct"] + part["redirected"]
     means = {name: np.asarray(values).mean(axis=0) for name, values in both.items()}
     level = float(means["exact"].mean())
@@ -130,14 +133,14 @@ def sun_placement_difference(
         },
         coords={**by_sensor, **coordinates},
     )
-    result.attrs = {
-        "suns": suns,
-        "mean_relative_difference": float(means["nearest"].mean() / level - 1.0) if level else 0.0,
-        "rms_relative_difference": float(np.sqrt(np.mean((means["nearest"] - means["exact"]) ** 2)) / level)
-        if level
-        else 0.0,
-        "share_of_flips": float(flips.mean()),
+    apart = means["nearest"] - means["exact"]
+    relative = {
+        "mean_relative_difference": apart.mean(),
+        "rms_relative_difference": np.sqrt(np.mean(apart**2)),
+        "rms_relative_noise": np.sqrt(noise.mean()),
     }
+    result.attrs = {"suns": suns, **{name: float(value / level) if level else 0.0 for name, value in relative.items()}}
+    result.attrs["share_of_flips"] = float(flips.mean())
     return result
 
 

@@ -133,7 +133,7 @@ def _rows(lines: Lines, header: Header) -> _Rows:
         try:
             clock.append([int(float(field)) for field in fields[:5]])
             values.append([float(fields[place] or "nan") for place, _ in _FIELDS.values()])
-        except ValueError:
+        except (ValueError, OverflowError):
             named = [*zip(_CLOCK, fields, strict=False), *((LONG_NAMES[c], fields[p]) for c, (p, _) in _FIELDS.items())]
             for name, field in named:
                 lines.number(number, name, field or "nan")

@@ -128,6 +128,9 @@ def _header(lines: Lines) -> tuple[dict[str, tuple[int, float]], int]:
             raise lines.wrong(
                 min(first, len(lines.text)), f"a WEA file must say {name} before its rows, got {sorted(found)}"
             )
+    number, west = found["time_zone"]
+    if not -14.0 * 15.0 <= west <= 12.0 * 15.0:
+        raise lines.wrong(number, f"time_zone must lie in -210..180 degrees west, got {west:g}")
     number, units = found.get("weather_data_file_units", (0, 1.0))
     if units != 1:
         raise lines.wrong(
@@ -157,6 +160,8 @@ def _rows(lines: Lines, first: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]
         if len(words) < 5:
             raise lines.wrong(number, f"a row must be month day hour direct diffuse, got {text.strip()!r}")
         row = [lines.number(number, "month, day, hour and irradiances", word) for word in words[:5]]
+        if not (row[0] % 1.0 == 0.0 and row[1] % 1.0 == 0.0 and 1.0 <= row[0] <= 12.0 and 1.0 <= row[1] <= 31.0):
+            raise lines.wrong(number, f"month and day must be a date, got {words[0]} {words[1]}")
         if not 0.0 <= row[2] <= 24.0:
             raise lines.wrong(number, f"hour must lie in 0..24, got {row[2]:g}")
         for column, k in ((DIRECT, 3), (DIFFUSE, 4)):
