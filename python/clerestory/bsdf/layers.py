@@ -138,7 +138,9 @@ def layered_bsdf(
         thickness_mm=sum(thickness) + gaps_mm if known else None,
         attrs={"layers": ", ".join(layer.name for layer in layers)},
         visible=bands["visible"].band,
-        **{word: bands[word].band for word in ("solar", "x", "z") if word in bands},
+        solar=bands["solar"].band if "solar" in bands else None,
+        x=bands["x"].band if "x" in bands else None,
+        z=bands["z"].band if "z" in bands else None,
     )
     return LayeredBsdf(bsdf, bands)
 
@@ -156,7 +158,7 @@ class _Blocks:
     @classmethod
     def of(cls, band: Band, rings: KlemsBasis) -> _Blocks:
         blocks = dict(complete(band, "a layer", stacklevel=5))
-        return cls(*(in_basis(block, rings).values for block in blocks.values()), rings)
+        return cls(**{name: in_basis(block, rings).values for name, block in blocks.items()}, rings=rings)
 
     @property
     def solid(self) -> Floats:
