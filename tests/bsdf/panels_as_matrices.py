@@ -29,16 +29,14 @@ def laser_cut() -> Bsdf:
 @cache
 def prism() -> Bsdf:
     """A prismatic sheet whose facets and sides are all different."""
-    panel = PrismaticPanel(
-        pitch_mm=10.0, lower_deg=70.0, upper_deg=35.0, base_mm=2.0, ridges="back", medium=ACRYLIC
-    )
+    panel = PrismaticPanel(pitch_mm=10.0, lower_deg=70.0, upper_deg=35.0, base_mm=2.0, ridges="back", medium=ACRYLIC)
     return bsdf_of_beams(panel, "prism", side=2)
 
 
 def bsdf_of_beams(panel: Panel, name: str, *, side: int) -> Bsdf:
     """Beams of ``side`` times ``side`` directions in each incident patch, put into the patches they leave into."""
     glazing, solid = panel.glazing(), BASIS.projected_solid_angle
-    blocks = {word: np.zeros((len(BASIS), len(BASIS))) for word in ("tf", "tb", "rf", "rb")}
+    sums = {word: np.zeros((len(BASIS), len(BASIS))) for word in ("tf", "tb", "rf", "rb")}
     share = (np.arange(side) + 0.5) / side
     for patch, (theta_low, theta_high, phi_low, phi_high) in enumerate(BASIS.bounds):
         low, high = np.sin(theta_low) ** 2, np.sin(theta_high) ** 2
@@ -50,10 +48,15 @@ def bsdf_of_beams(panel: Panel, name: str, *, side: int) -> Bsdf:
                     directions, powers, *_ = glazing.lobes(incident)
                     into = BASIS.find(directions[:, 0], directions[:, 1])
                     goes_on = directions[:, 2] * z > 0.0
-                    np.add.at(blocks["t" + word][:, patch], into[goes_on], powers[goes_on])
-                    np.add.at(blocks["r" + word][:, patch], into[~goes_on], powers[~goes_on])
-    tf, tb, rf, rb = (KlemsBlock(blocks[word] / side**2 / solid[:, None]) for word in ("tf", "tb", "rf", "rb"))
-    band = Band(tf, tb, rf, rb)
+                    np.add.at(sums["t" + word][:, patch], into[goes_on], powers[goes_on])
+                    np.add.at(sums["r" + word][:, patch], into[~goes_on], powers[~goes_on])
+    tf, tb, rf, rb = (KlemsBlock(sums[word] / side**2 / solid[:, None]) for word in ("tf", "tb", "rf", "rb"))
+    # sampled from both sides: the mean of the two ways along each path is reciprocal, as light is
+    both = KlemsBlock(0.5 * (tf.values + tb.reversed().values))
+    blocks = (both, both.reversed(), rf, rb)
+    # no column of so coarse a mean may send away more than it gets
+    most = max((t.hemispherical() + r.hemispherical()).max() for t, r in (blocks[::2], blocks[1::2]))
+    band = Band(*(KlemsBlock(block.values / max(most, 1.0)) for block in blocks))
     return Bsdf(name=name, visible=band, solar=band, thickness_mm=3.0)
 
 

@@ -6,6 +6,7 @@ The wall is y = 0 and the room lies behind it (y > 0); the element's axes are x 
 from __future__ import annotations
 
 import tempfile
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -20,15 +21,21 @@ Floats = NDArray[np.float64]
 WORLD = np.array([[-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]])
 """Rows: the element's axes in the world's."""
 HALF_M, CENTRE_M = 0.5, np.array([0.0, 0.0, 1.5])
+SUN_PATCH = int(BASIS.find(0.32, -0.557))
+"""The sun stands 34° high and to the left, in the middle of a patch, so that light travels to the right and down."""
 ALTITUDES_DEG = (-60.0, -40.0, -20.0, 0.0, 20.0, 40.0, 60.0)
-SIDEWAYS = 0.42
-"""Component along the element's x of the way from the window to the first sensors; the last ones lie on the other side."""
+SIDEWAYS = float(BASIS.centre[SUN_PATCH][0])
+"""Of the way from the window to the first sensors, along the element's x; the last ones lie on the other side."""
 REACH_M = 2.5
 
 
 def _ways() -> Floats:
     ways = [
-        (side * SIDEWAYS, np.sin(np.radians(h)) * np.sqrt(1.0 - SIDEWAYS**2), np.cos(np.radians(h)) * np.sqrt(1.0 - SIDEWAYS**2))
+        (
+            side * SIDEWAYS,
+            np.sin(np.radians(h)) * np.sqrt(1.0 - SIDEWAYS**2),
+            np.cos(np.radians(h)) * np.sqrt(1.0 - SIDEWAYS**2),
+        )
         for side in (1.0, -1.0)
         for h in ALTITUDES_DEG
     ]
@@ -37,12 +44,19 @@ def _ways() -> Floats:
 
 POINTS_M = CENTRE_M + REACH_M * _ways() @ WORLD
 NORMALS = -_ways() @ WORLD
-"""Sensors about the window that face it: from low to high, first where light goes that keeps its x, then where it would go mirrored."""
+"""Sensors about the window that face it, from low to high: where light keeps its x, then the mirror image."""
 SUN_DEG = 0.533
 
 
+def sun() -> Floats:
+    """Way of the sunlight, in the element's axes."""
+    x, y = BASIS.centre[SUN_PATCH]
+    return np.array([x, y, np.sqrt(1.0 - x * x - y * y)])
+
+
+@cache
 def window_solid_angles(divisions: int = 240) -> Floats:
-    """Integral of both cosines over the window that each sensor sees, by patch in which light travels, shape (4, patch)."""
+    """Integral of both cosines over the window that each sensor sees, by patch of travel, shape (sensor, patch)."""
     step = (np.arange(divisions) + 0.5) / divisions * 2.0 * HALF_M - HALF_M
     x, z = np.meshgrid(step, step)
     places = CENTRE_M + np.stack([x.ravel(), np.zeros(x.size), z.ravel()], axis=1)
@@ -91,7 +105,7 @@ def by_rtrace(bsdf: Bsdf, travel: Floats, *, is_upside_down: bool, is_inside_out
             " ".join(f"{v:.9g}" for v in (*point, *normal)) + "\n"
             for point, normal in zip(POINTS_M, NORMALS, strict=True)
         )
-        settings = "-ab 1 -ad 65536 -as 0 -aa 0 -lw 1e-7 -u+ -dj 0".split()
+        settings = "-ab 1 -ad 32768 -as 0 -aa 0 -lw 1e-7 -u+ -dj 0".split()  # noqa: SIM905
         answer = pyradiance.rtrace(rays.encode(), octree, header=False, irradiance=True, params=settings)
     return np.array(answer.split(), dtype=float).reshape(-1, 3)[:, 0]
 
