@@ -3,15 +3,18 @@
 import os
 import re
 import subprocess
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from tests.bsdf.ask_radiance import ask
-from tests.bsdf.elements import uneven_bsdf, uneven_tree_bsdf
+from tests.bsdf.elements import uneven_block, uneven_bsdf, uneven_tree_bsdf
 
-from clerestory import Bsdf, read_bsdf
-from clerestory.bsdf import KLEMS_BASES, in_basis
+from clerestory import Band, Bsdf, read_bsdf
+from clerestory.bsdf import KLEMS_BASES, in_basis, radiance_snippet
+from clerestory.room.window import normal_of
 
 pyradiance = pytest.importorskip("pyradiance")
 
@@ -22,6 +25,10 @@ SIDES = {
     "reflection_front": ("outside", "outside"),
     "reflection_back": ("room", "room"),
 }
+
+
+SOUTH = np.array([[0.0, 0.0, 1.0], [0.0, 0.0, 2.0], [1.0, 0.0, 2.0], [1.0, 0.0, 1.0]])
+TILTED = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 1.0], [0.0, 1.0, 1.0]])
 
 
 def toward(theta: float, phi: float, place: str) -> tuple[list[float], np.ndarray]:
@@ -56,19 +63,16 @@ def test_values_and_shares_are_found_where_they_were_put(kind: str, tmp_path: Pa
     assert found_shares == pytest.approx(np.array(shares), abs=1e-4)
 
 
-def radiance_program(name: str, *arguments: object) -> str:
+def radiance_program(name: str, *arguments: object, **options: Any) -> Any:
     """What a program of Radiance prints; it finds its files and its fellows beside it."""
     home = Path(pyradiance.__file__).parent
-    places = {"PATH": os.pathsep.join([str(home / "bin"), os.environ.get("PATH", "")]), "RAYPATH": str(home / "lib")}
+    places = {
+        "PATH": os.pathsep.join([str(home / "bin"), os.environ.get("PATH", "")]),
+        "RAYPATH": os.pathsep.join([".", str(home / "lib")]),
+    }
     program = next(home.glob(f"bin/{name}*"))
-    return subprocess.run(
-        [program, *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        check=True,
-        timeout=120,
-        env=os.environ | places,
-    ).stdout
+    settings: dict[str, Any] = {"text": True, "check": True, "timeout": 120, "env": os.environ | places, **options}
+    return subprocess.run([program, *map(str, arguments)], capture_output=True, **settings).stdout
 
 
 @pytest.mark.parametrize("kind", [*KLEMS_BASES, "tree3", "tree4"])
@@ -97,3 +101,34 @@ def test_our_klems_matrix_of_a_tree_is_that_of_bsdf2klems(rank: int, tmp_path: P
         # its 100 samples a pair of patches scatter by a few per cent of an uneven tree
         assert np.abs(ours.values - other.values).mean() < 0.02 * ours.values.mean(), direction
         assert ours.hemispherical() == pytest.approx(other.hemispherical(), abs=0.02), direction
+
+
+@pytest.mark.parametrize("outline", [SOUTH, TILTED], ids=["upright", "tilted"])
+def test_rtrace_finds_the_sun_through_our_window(outline: np.ndarray, tmp_path: Path) -> None:
+    # light is traced backwards: Radiance asks the other side, which reciprocity makes the same
+    front = uneven_block(3)
+    band = Band(transmission_front=front, transmission_back=front.reversed(), reflection_front=uneven_block(4))
+    band = replace(band, reflection_back=band.reflection_front)
+    bsdf = Bsdf(name="reciprocal", thickness_mm=5.0, visible=band, solar=band)
+    bsdf.to_xml(tmp_path / "panel.xml")
+    # the element's axes in the world, as NOTATION.md has them
+    z = normal_of(outline)
+    y = np.array([0.0, 0.0, 1.0]) - z * z[2]
+    y /= np.linalg.norm(y)
+    axes = np.stack([np.cross(y, z), y, z], axis=1)
+    rng, disc_deg = np.random.default_rng(7), 0.533
+    for _ in range(4):
+        sine, phi = np.sqrt(rng.random(2)), 2.0 * np.pi * rng.random(2)
+        into, out = np.stack([sine * np.cos(phi), sine * np.sin(phi), np.sqrt(1.0 - sine**2)], axis=1)
+        sun, gone = -axes @ into, axes @ out
+        scene = f"void light solar 0 0 3 1e6 1e6 1e6\nsolar source sun 0 0 4 {sun[0]} {sun[1]} {sun[2]} {disc_deg}\n"
+        scene += radiance_snippet(bsdf, "panel.xml", outline, peak_extraction=False)
+        (tmp_path / "scene.rad").write_text(scene)
+        (tmp_path / "scene.oct").write_bytes(radiance_program("oconv", "scene.rad", cwd=tmp_path, text=False))
+        eye = outline.mean(axis=0) + 2.0 * gone
+        ray = " ".join(map(str, [*eye, *-gone])) + "\n"
+        seen = radiance_program("rtrace", "-h", "-ab", 0, "-dj", 0, "-ss", 0, "scene.oct", cwd=tmp_path, input=ray)
+        irradiance = 1e6 * 2.0 * np.pi * (1.0 - np.cos(np.radians(disc_deg / 2.0))) * into[2]
+        assert float(seen.split()[0]) / irradiance == pytest.approx(
+            float(front.at(into[:2], out[:2])), rel=2e-3, abs=1e-7
+        )
