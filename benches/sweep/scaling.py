@@ -116,6 +116,8 @@ def overhead(payload: int) -> dict[str, float]:
 def on_dask(workers: int) -> tuple[float, float]:
     """Wall seconds of the study and CPU seconds of a case, on Dask workers; the workers' alone."""
     with cluster(workers) as (address, processes), tempfile.TemporaryDirectory() as folder:
+        # workers load what they need with their first tasks
+        run_sweep(study(8 * workers, 1000), folder, scheduler=address)
         watch = Watch(lambda: processes[1:])
         run_sweep(study(CASES, RAYS), folder, scheduler=address, progress=watch)
     return watch.seconds(workers)
@@ -156,15 +158,15 @@ def page() -> str:
     ways = {"processes of this machine": local, "Dask on loopback": on_dask}
     timed = {way: [_best(how, workers) for workers in (1, 2)] for way, how in ways.items()}
     small, large, own = overhead(0), overhead(PAYLOAD), bookkeeping()
+    load = os.getloadavg()[0]
     limits = {"scheduler": large["scheduler"], "command": large["client"] + own["keep"]}
     lines = [
         "# How studies scale",
         "",
         f"Written by `python benches/sweep/scaling.py`, a part of `make bench`: Clerestory {__version__},",
-        f"{os.cpu_count()} cores, {platform.system()}, Python {platform.python_version()}, load",
-        f"{os.getloadavg()[0]:.1f} while it ran. Where the load is more than the",
-        "cores, other programs ran too: wall times and *times faster* then tell more of them than of the study, and",
-        "only CPU holds.",
+        f"{os.cpu_count()} cores, {platform.system()}, Python {platform.python_version()}, load {load:.1f} while it ran.",
+        "Where the load is more than the cores, other programs ran too: wall times and *times faster* then tell more of",
+        "them than of the study, and only CPU holds.",
         "",
         "## Measured",
         "",
@@ -188,9 +190,8 @@ def page() -> str:
     lines += [
         f"| wall, all on this machine | {small['wall']:.2f} | {large['wall']:.2f} |",
         "",
-        f"Besides, the command takes {own['hash']:.2f} ms of CPU to hash a case, {own['keep']:.2f} to keep its file,",
-        "and",
-        f"{own['gather']:.2f} to gather it at the end.",
+        f"Besides, the command takes {own['hash']:.2f} ms of CPU to hash a case, {own['keep']:.2f} to keep its",
+        f"file, and {own['gather']:.2f} to gather it at the end.",
         "",
         "## Reckoned: 10 000 cases",
         "",

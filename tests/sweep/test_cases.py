@@ -122,7 +122,9 @@ def test_parts_that_are_there_are_not_computed_again(tmp_path, monkeypatch):
     monkeypatch.setattr(work, "evaluate", stopped)
     assert run_sweep(study, tmp_path, workers=0).interrupted
     counted_before, counted[:] = list(counted), [None]
-    tally = run_sweep(study, tmp_path, workers=0)
+    left = []
+    tally = run_sweep(study, tmp_path, workers=0, progress=lambda now: left.append((now.tasks, now.seconds_left())))
+    assert left == [(1, 0.0)], "progress counts the parts that are left"
     assert tally.computed == 1
     assert counted_before == [[0, 5], [5, 10]]
     assert counted[1:] == [[10, 12]]

@@ -69,12 +69,12 @@ def _run(study: Sweep, folder: Path, workers: int | None, scheduler: str | None,
         disable=as_json,
         transient=True,
     ) as bars:
-        bar = bars.add_task(study.name, total=len({case.key for case in study.cases}), state="")
+        bar = bars.add_task(study.name, total=None, state="")
 
         def follow(tally: Tally) -> None:
             failed = f", {tally.failed} failed" if tally.failed else ""
             state = f"{_duration(tally.seconds_left())} to go{failed}"
-            bars.update(bar, completed=tally.cases - tally.left, state=state)
+            bars.update(bar, total=tally.tasks, completed=tally.tasks_done, state=state)
 
         tally = run_sweep(study, folder, workers=workers, scheduler=scheduler, progress=follow)
     written: list[Path] = []

@@ -34,6 +34,8 @@ class Tally:
         Whether the run was stopped.
     seconds : float
         Of this run.
+    tasks, tasks_done : int
+        Of this run: as many as cases, more where cases are split among tasks.
     failures : list of dict
         Number, values and error of each case that failed.
     """
@@ -44,6 +46,8 @@ class Tally:
     failed: int = 0
     interrupted: bool = False
     seconds: float = 0.0
+    tasks: int = 0
+    tasks_done: int = 0
     failures: list[dict[str, Any]] = field(default_factory=list)
 
     @property
@@ -52,13 +56,12 @@ class Tally:
         return self.cases - self.done_before - self.computed - self.failed
 
     def seconds_left(self) -> float | None:
-        """What the rest will take if it goes on as it went, or None before the first case is done."""
-        done = self.computed + self.failed
-        return self.seconds / done * self.left if done else None
+        """What the rest will take if it goes on as it went, or None before the first task is done."""
+        return self.seconds / self.tasks_done * (self.tasks - self.tasks_done) if self.tasks_done else None
 
 
 Progress = Callable[[Tally], object]
-"""Called after each case."""
+"""Called after each task."""
 
 
 def run_sweep(
@@ -111,6 +114,7 @@ def run_sweep(
     tally = Tally(cases=len(cases), done_before=len(cases.keys() & finished))
     jobs = _Jobs(sweep, store, [case for case in cases.values() if case.key not in finished], finished)
     tasks = list(jobs.tasks())
+    tally.tasks = len(tasks)
     outcomes: Iterator[Outcome]
     if not tasks:
         outcomes = iter(())
@@ -123,11 +127,10 @@ def run_sweep(
     try:
         for outcome in outcomes:
             ended = jobs.take(outcome)
-            if ended is None:
-                continue
-            if ended.error is None:
+            tally.tasks_done += 1
+            if ended is not None and ended.error is None:
                 tally.computed += 1
-            else:
+            elif ended is not None:
                 tally.failed += 1
                 case = cases[ended.key]
                 tally.failures.append({"case": case.number, "values": case.values, "error": ended.error})

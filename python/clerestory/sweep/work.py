@@ -6,6 +6,8 @@ import os
 import tempfile
 import time
 import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -78,19 +80,13 @@ def _bytes_of(found: Any) -> bytes:
 _THREAD_VARIABLES = ("RAYON_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
-class limited_threads:  # noqa: N801
+@contextmanager
+def limited_threads(threads: int) -> Iterator[None]:
     """Within it, processes that begin use so many native threads each, unless the environment says otherwise."""
-
-    def __init__(self, threads: int) -> None:
-        self.threads = threads
-        self.changed: list[str] = []
-
-    def __enter__(self) -> None:
-        for name in _THREAD_VARIABLES:
-            if name not in os.environ:
-                os.environ[name] = str(self.threads)
-                self.changed.append(name)
-
-    def __exit__(self, *_: object) -> None:
-        for name in self.changed:
+    changed = [name for name in _THREAD_VARIABLES if name not in os.environ]
+    os.environ.update(dict.fromkeys(changed, str(threads)))
+    try:
+        yield
+    finally:
+        for name in changed:
             os.environ.pop(name, None)
