@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from clerestory.annual_illuminance import annual_illuminance
     from clerestory.annual_sun import annual_sun_coefficients, sun_placement_difference
     from clerestory.bsdf import Band, Bsdf, BsdfWarning, KlemsBlock, TreeBlock
+    from clerestory.bsdf.of_glazing import bsdf_of
     from clerestory.bsdf.reading import read_bsdf
     from clerestory.coefficients import SensorWarning, daylight_coefficients
     from clerestory.compare import Comparison, compare
@@ -134,6 +135,7 @@ __all__ = [
     "annual_uniformity",
     "average_by_group",
     "blinds_closed",
+    "bsdf_of",
     "compare",
     "continuous_daylight_autonomy",
     "daylight_autonomy",
@@ -192,6 +194,7 @@ _PLACES = {
     "annual_illuminance": "clerestory.annual_illuminance",
     "annual_sun_coefficients": "clerestory.annual_sun",
     "sun_placement_difference": "clerestory.annual_sun",
+    "bsdf_of": "clerestory.bsdf.of_glazing",
     "read_bsdf": "clerestory.bsdf.reading",
     "SensorWarning": "clerestory.coefficients",
     "daylight_coefficients": "clerestory.coefficients",

@@ -147,8 +147,8 @@ class Glazing:
         self,
         basis: str | KlemsBasis,
         *,
-        places: tuple[int, int],
         tolerance: float,
+        levels: int,
         draws: int,
         seed: int,
     ) -> tuple[
@@ -162,8 +162,8 @@ class Glazing:
         log2_resolution: int,
         *,
         merged: float,
-        places: tuple[int, int],
         tolerance: float,
+        levels: int,
         draws: int,
         seed: int,
     ) -> tuple[list[NDArray[float64]], tuple[NDArray[float64], list[tuple[str, float]]] | None]: ...

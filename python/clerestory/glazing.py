@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 from numpy.typing import ArrayLike
 
@@ -18,6 +18,8 @@ from clerestory.rules import not_negative, positive, within
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from clerestory.bsdf import Bsdf
 
 
 @runtime_checkable
@@ -289,6 +291,18 @@ class Stack:
         """
         shares = self.angular(elevation_deg=elevation_deg, azimuth_deg=azimuth_deg, side=side)
         return shares["layer_absorptance"]
+
+    def bsdf(self, basis: str | None = None, *, name: str | None = None, **how: Any) -> Bsdf:
+        """The stack as matrices or tensor trees over directions, for visible daylight.
+
+        Parameters
+        ----------
+        basis, name, how
+            As of :func:`~clerestory.bsdf_of`: ``rank``, ``log2_resolution``, ``accuracy``, ``thickness_mm`` …
+        """
+        from clerestory.bsdf.of_glazing import bsdf_of
+
+        return bsdf_of(self, basis=basis, name=name, **how)
 
     def hemispherical(
         self,

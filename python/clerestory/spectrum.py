@@ -169,6 +169,11 @@ def photopic_quadrature(illuminant: Illuminant = "D65", nodes: int = 5) -> tuple
     if isinstance(nodes, bool) or not isinstance(nodes, (int, np.integer)) or not 1 <= nodes <= 20:
         raise ClerestoryError(f"nodes must be a whole number from 1 to 20, got {nodes!r}; 5 serves smooth spectra")
     table_nm, weights = _photopic_weights(illuminant)
+    return gauss_quadrature(table_nm, weights, nodes)
+
+
+def gauss_quadrature(table_nm: Floats, weights: Floats, nodes: int) -> tuple[Floats, Floats]:
+    """The nodes and weights of Gauss quadrature for a weight of sum 1 on given wavelengths (theory/media.md, eq. 8)."""
     centre, half = 0.5 * (table_nm[0] + table_nm[-1]), 0.5 * (table_nm[-1] - table_nm[0])
     x = (table_nm - centre) / half
     # p_{k+1} = (x − a_k) p_k − b_k p_{k−1}, each orthogonal to all before

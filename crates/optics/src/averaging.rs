@@ -18,12 +18,11 @@ use rayon::prelude::*;
 /// How closely to average.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Averaging {
-    /// Places along each coordinate of an incident cell to begin with.
-    pub places: usize,
-    /// Places at most; they are doubled until the column settles.
-    pub most_places: usize,
-    /// A column has settled when doubling changes it by less than this: the sum of absolute differences as a share of its light.
+    /// A column has settled when quartering the parts of its cell changes it by less than this: the sum of absolute differences as a
+    /// share of its light.
     pub tolerance: f64,
+    /// How often a part of a cell is quartered at most; each has 3 places along both coordinates.
+    pub levels: u32,
     /// Random draws for each incident cell of an element without exact lobes.
     pub draws: u32,
     /// Seed of the draws.
@@ -32,7 +31,7 @@ pub struct Averaging {
 
 impl Default for Averaging {
     fn default() -> Self {
-        Self { places: 2, most_places: 16, tolerance: 1e-3, draws: 20_000, seed: 0 }
+        Self { tolerance: 1e-3, levels: 4, draws: 20_000, seed: 0 }
     }
 }
 

@@ -143,8 +143,8 @@ pub fn of_trees(py: Python<'_>, rank: usize, blocks: [Option<PyReadonlyArray1<'_
 }
 
 /// How closely to average, from Python's words.
-pub fn averaging(places: (usize, usize), tolerance: f64, draws: u32, seed: u64) -> Averaging {
-    Averaging { places: places.0, most_places: places.1, tolerance, draws, seed }
+pub fn averaging(tolerance: f64, levels: u32, draws: u32, seed: u64) -> Averaging {
+    Averaging { tolerance, levels, draws, seed }
 }
 
 /// The blocks in the order of every list of them: transmission front and back, reflection front and back.

@@ -82,22 +82,22 @@ impl PyGlazing {
 
     /// Averages over the patches of a Klems basis: four tables [1/sr] (outgoing, incident), standard errors of each if the
     /// element was followed by random draws, shares absorbed (side, patch), and accounts by name.
-    #[pyo3(signature = (basis, *, places, tolerance, draws, seed))]
+    #[pyo3(signature = (basis, *, tolerance, levels, draws, seed))]
     #[allow(clippy::type_complexity)]
     fn klems<'py>(
         &self,
         py: Python<'py>,
         basis: BasisOrName<'_>,
-        places: (usize, usize),
         tolerance: f64,
+        levels: u32,
         draws: u32,
         seed: u64,
     ) -> PyResult<(bsdf::Tables<'py>, Option<bsdf::Tables<'py>>, bsdf::Accounts<'py>)> {
-        bsdf::klems(py, &*self.0, &basis, &bsdf::averaging(places, tolerance, draws, seed))
+        bsdf::klems(py, &*self.0, &basis, &bsdf::averaging(tolerance, levels, draws, seed))
     }
 
     /// Averages over the squares of a tensor tree: four preorder walks, and for rank 4 shares absorbed and accounts by name.
-    #[pyo3(signature = (rank, log2_resolution, *, merged, places, tolerance, draws, seed))]
+    #[pyo3(signature = (rank, log2_resolution, *, merged, tolerance, levels, draws, seed))]
     #[allow(clippy::too_many_arguments)]
     fn tree<'py>(
         &self,
@@ -105,12 +105,12 @@ impl PyGlazing {
         rank: usize,
         log2_resolution: u32,
         merged: f64,
-        places: (usize, usize),
         tolerance: f64,
+        levels: u32,
         draws: u32,
         seed: u64,
     ) -> PyResult<bsdf::Trees<'py>> {
-        let how = bsdf::averaging(places, tolerance, draws, seed);
+        let how = bsdf::averaging(tolerance, levels, draws, seed);
         bsdf::tree(py, &*self.0, (rank, log2_resolution), merged, &how)
     }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
     import xarray as xr
 
+    from clerestory.bsdf import Bsdf
     from clerestory.panels.angular import Method
     from clerestory.profile import Profile
 
@@ -217,6 +219,84 @@ class Panel:
             polarisation=polarisation,
             tolerance=tolerance,
             arc_chords=arc_chords,
+        )
+
+    def bsdf(
+        self,
+        basis: str | None = None,
+        *,
+        rank: int | None = None,
+        log2_resolution: int = 5,
+        bands: Sequence[str] = ("visible", "solar"),
+        wavelengths: int = 1,
+        accuracy: float = 4e-3,
+        polarisation: Polarisation = "resolved",
+        tolerance: float = 1e-5,
+        arc_chords: int = ARC_CHORDS,
+        draws: int = 20_000,
+        seed: int = 0,
+        name: str | None = None,
+        manufacturer: str = "unspecified",
+    ) -> Bsdf:
+        r"""The panel as matrices or tensor trees over directions, for files that other programs read.
+
+        Parameters
+        ----------
+        basis : {"klems_full", "klems_half", "klems_quarter"}, optional
+            Patches of the matrices; None: ``klems_full``.
+        rank : {3, 4}, optional
+            Tensor trees instead of matrices; 3 for panes alone, which are the same turned about their normal.
+        log2_resolution : int, 1 to 7, default 5
+            The finest cells of a tree are 2**-log2_resolution of the square's side.
+        bands : sequence of {"visible", "solar", "x", "z"}, default visible and solar
+            CIE Y of daylight (D65), the power of sunlight (ASTM G173-03, direct), CIE X and Z.
+        wavelengths : int, at least 1, default 1
+            That stand for each of the three bands of CIE; one is exact for what changes evenly with the wavelength.
+        accuracy : float, between 0 and 1, default 4e-3
+            A column is settled when quartering the parts of its cell changes it by less: the sum of absolute
+            differences as a share of the incident light. What is left is several times smaller.
+        polarisation, arc_chords
+            As of :meth:`lobes`.
+        tolerance : float, between 0 and 1, default 1e-5
+            Share of the power that may stay unfollowed; it is taken to go where the rest goes.
+        draws : int, at least 100, default 20 000
+            Random draws for each incident cell of a panel with rough or diffuse cuts.
+        seed : int, at least 0, default 0
+        name : str, optional
+            None: the kind of panel.
+        manufacturer : str, default "unspecified"
+
+        Returns
+        -------
+        Bsdf
+            All four blocks of each band [1/sr]: reciprocal to rounding, and with absorption they send out all light, to
+            1e-9 of each incident cell. Its ``exact`` is the panel, so that a room sees its beams and not the patches.
+            Blocks of rough panels carry standard errors. ``attrs`` tells of each band how closely it was found
+            (``…_change``, ``…_asymmetry``, ``…_correction``, ``…_residual``, ``…_misfit``), at which wavelengths, and
+            the share of its power at wavelengths that the media are known for.
+
+        Raises
+        ------
+        ClerestoryError
+            If an argument is out of its range, ``basis`` and ``rank`` are both given, or ``rank`` is 3 and the panel
+            has an up and a down.
+
+        Notes
+        -----
+        theory/bsdf_averaging.md.
+        """
+        from clerestory.bsdf.of_glazing import Averaging, panel_bsdf
+
+        return panel_bsdf(
+            self,
+            Averaging(basis, rank, log2_resolution, accuracy, draws, seed),
+            bands=bands,
+            wavelengths=wavelengths,
+            polarisation=polarisation,
+            tolerance=tolerance,
+            arc_chords=arc_chords,
+            name=name,
+            manufacturer=manufacturer,
         )
 
     def to_dict(self) -> dict[str, Any]:

@@ -12,7 +12,7 @@ pub enum Cells {
     Grid(u32),
 }
 
-/// Places and weights along one coordinate of a cell; the weights sum to 1.
+/// Places and weights along one coordinate of a cell.
 pub type Rule = Vec<[f64; 2]>;
 
 impl Cells {
@@ -78,23 +78,28 @@ impl Cells {
         }
     }
 
-    /// Gauss-Legendre rules of `n` places along both coordinates of a cell. Along the first of a Klems patch they are those in the
-    /// angle from the normal, over which the optics is smooth up to grazing incidence.
-    pub fn rules(&self, cell: usize, n: usize) -> [Rule; 2] {
+    /// Gauss-Legendre rules of `n` places along both coordinates of the part of a cell between two corners; the weights are shares of
+    /// the whole. Along the first of a Klems patch they are those in the angle from the normal, over which the optics is smooth up to
+    /// grazing incidence.
+    pub fn rules(&self, cell: usize, n: usize, low: [f64; 2], high: [f64; 2]) -> [Rule; 2] {
         let even = gauss_legendre(n);
-        let Self::Klems(basis) = self else { return [even.clone(), even] };
-        let ([low, high], _) = basis.bounds(cell);
-        let (start, end) = (low.sin().powi(2), high.sin().powi(2));
+        let width = [high[0] - low[0], high[1] - low[1]];
+        let along = |k: usize| -> Rule { even.iter().map(|[x, w]| [low[k] + width[k] * x, w * width[k]]).collect() };
+        let Self::Klems(basis) = self else { return [along(0), along(1)] };
+        let ([inner, outer], _) = basis.bounds(cell);
+        let (start, end) = (inner.sin().powi(2), outer.sin().powi(2));
+        let theta = |a: f64| (start + (end - start) * a).min(1.0).sqrt().asin();
+        let (from, to) = (theta(low[0]), theta(high[0]));
         let mut first: Rule = even
             .iter()
             .map(|[place, weight]| {
-                let theta = low + (high - low) * place;
+                let theta = from + (to - from) * place;
                 [(theta.sin().powi(2) - start) / (end - start), weight * (2.0 * theta).sin()]
             })
             .collect();
         let sum: f64 = first.iter().map(|[_, weight]| weight).sum();
-        first.iter_mut().for_each(|[_, weight]| *weight /= sum);
-        [first, even]
+        first.iter_mut().for_each(|[_, weight]| *weight *= width[0] / sum);
+        [first, along(1)]
     }
 }
 
@@ -152,7 +157,7 @@ mod tests {
             let total: f64 = (0..cells.count()).map(|c| cells.size(c)).sum();
             assert!((total - PI).abs() < 1e-13);
             for cell in 0..cells.count() {
-                let [first, second] = cells.rules(cell, 3);
+                let [first, second] = cells.rules(cell, 3, [0.0; 2], [1.0; 2]);
                 for [a, _] in &first {
                     for [b, _] in &second {
                         let [x, y] = cells.place(cell, [*a, *b]);

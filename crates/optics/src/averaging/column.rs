@@ -54,35 +54,91 @@ const MOVED: f64 = 1e-3;
 /// A lobe whose (x, y) are those of the incident light but for signs, to this, keeps them so over the whole cell.
 const SAME: f64 = 1e-9;
 
-/// Points to which the directions of a lobe are carried from each place where they are solved for.
-const CARRIED: usize = 64;
+/// Points of a whole cell to which the directions of lobes are carried, and the fewest for one place of the quadrature.
+const CARRIED: f64 = 4096.0;
+const FEWEST_CARRIED: usize = 8;
 
-/// Averages over one incident port, halving the distance of the places until the column hardly changes.
-pub(super) fn column(glazing: &dyn Glazing, ports: &Ports, port: usize, how: &Averaging, sums: &mut Sums) -> Column {
-    let mut n = how.places.max(1);
-    let mut coarse = quadrature(glazing, ports, port, n, sums);
-    coarse.change = f64::INFINITY;
-    while 2 * n <= how.most_places {
-        n *= 2;
-        let mut fine = quadrature(glazing, ports, port, n, sums);
-        fine.change = difference(&coarse.sent, &fine.sent) + (fine.absorbed - coarse.absorbed).abs();
-        let settled = fine.change <= how.tolerance;
-        coarse = fine;
-        if settled {
-            break;
-        }
-    }
-    coarse
+/// Places along each coordinate of a part of a cell.
+const PLACES: usize = 3;
+
+/// A part of a cell's unit square: its lower and its upper corner.
+#[derive(Clone, Copy)]
+struct Part {
+    low: [f64; 2],
+    high: [f64; 2],
 }
 
-fn quadrature(glazing: &dyn Glazing, ports: &Ports, port: usize, n: usize, sums: &mut Sums) -> Column {
+impl Part {
+    fn share(&self) -> f64 {
+        (self.high[0] - self.low[0]) * (self.high[1] - self.low[1])
+    }
+
+    fn quarters(&self) -> [Self; 4] {
+        let middle = [0, 1].map(|k| 0.5 * (self.low[k] + self.high[k]));
+        [[false, false], [true, false], [false, true], [true, true]].map(|upper| {
+            let low = [0, 1].map(|k| if upper[k] { middle[k] } else { self.low[k] });
+            let high = [0, 1].map(|k| if upper[k] { self.high[k] } else { middle[k] });
+            Self { low, high }
+        })
+    }
+}
+
+/// Averages over one incident port, quartering the parts of its cell in which quartering still changes the column
+/// (theory/bsdf_averaging.md, eq. 6).
+pub(super) fn column(glazing: &dyn Glazing, ports: &Ports, port: usize, how: &Averaging, sums: &mut Sums) -> Column {
+    let whole = Part { low: [0.0; 2], high: [1.0; 2] };
+    let first = quadrature(glazing, ports, port, whole, sums);
+    let mut found = Column::default();
+    let mut open = vec![(whole, first, 0)];
+    while let Some((part, before, level)) = open.pop() {
+        if level == how.levels {
+            found.add(before);
+            continue;
+        }
+        let quarters = part.quarters().map(|quarter| (quarter, quadrature(glazing, ports, port, quarter, sums)));
+        let mut together = Column::default();
+        quarters.iter().for_each(|(_, column)| together.add(column.clone()));
+        let change = difference(&before.sent, &together.sent) + (before.absorbed - together.absorbed).abs();
+        // what parts of a cell change is as likely more as less: it adds by squares
+        if change <= how.tolerance * part.share().sqrt() || level + 1 == how.levels {
+            found.add(Column { change, ..together });
+        } else {
+            open.extend(quarters.map(|(quarter, column)| (quarter, column, level + 1)));
+        }
+    }
+    found
+}
+
+impl Column {
+    /// Adds the light of another part of the cell.
+    fn add(&mut self, other: Self) {
+        let mut sent = Vec::with_capacity(self.sent.len() + other.sent.len());
+        let (mut a, mut b) = (self.sent.iter().peekable(), other.sent.iter().peekable());
+        while let (Some(&&(p, x)), Some(&&(q, y))) = (a.peek(), b.peek()) {
+            sent.push((p.min(q), if p <= q { x } else { 0.0 } + if q <= p { y } else { 0.0 }));
+            if p <= q {
+                a.next();
+            }
+            if q <= p {
+                b.next();
+            }
+        }
+        sent.extend(a.chain(b));
+        self.sent = sent;
+        self.absorbed += other.absorbed;
+        self.residual += other.residual;
+        self.change = self.change.hypot(other.change);
+    }
+}
+
+fn quadrature(glazing: &dyn Glazing, ports: &Ports, port: usize, part: Part, sums: &mut Sums) -> Column {
     let (side, cell) = ports.parts(port);
-    let [first, second] = ports.cells.rules(cell, n);
+    let [first, second] = ports.cells.rules(cell, PLACES, part.low, part.high);
     let mut column = Column::default();
-    let mut low = [0.0; 2];
+    let mut low = part.low;
     for [a, weight_a] in &first {
         let high_a = low[0] + weight_a;
-        low[1] = 0.0;
+        low[1] = part.low[1];
         for [b, weight_b] in &second {
             let high_b = low[1] + weight_b;
             let at = ports.cells.place(cell, [*a, *b]);
@@ -92,8 +148,7 @@ fn quadrature(glazing: &dyn Glazing, ports: &Ports, port: usize, n: usize, sums:
             column.residual += share * (sums.here.residual + sums.here.spread);
             for k in 0..sums.here.beams.len() {
                 let lobe = sums.here.beams[k];
-                let corner = [low, [high_a, high_b]];
-                carry(ports, cell, at, corner, lobe, share, sums);
+                carry(ports, cell, at, Part { low, high: [high_a, high_b] }, lobe, sums);
             }
             low[1] = high_b;
         }
@@ -124,31 +179,23 @@ fn is_image([x, y]: [f64; 2], lobe: &Lobe) -> bool {
 
 /// Hands the light of one lobe to the ports that it leaves by, as the incident light moves over its part of the cell
 /// (theory/bsdf_averaging.md, eq. 7).
-fn carry(
-    ports: &Ports,
-    cell: usize,
-    at: [f64; 2],
-    [low, high]: [[f64; 2]; 2],
-    lobe: Lobe,
-    share: f64,
-    sums: &mut Sums,
-) {
-    let d = lobe.direction;
+fn carry(ports: &Ports, cell: usize, at: [f64; 2], part: Part, lobe: Lobe, sums: &mut Sums) {
+    let (d, share) = (lobe.direction, part.share());
     let slopes = if is_image(at, &lobe) { None } else { slopes(at, lobe, &sums.beside) };
     let Some([by_x, by_y]) = slopes else {
         sums.add(ports.returning(d.z, [d.x, d.y]), share * lobe.power);
         return;
     };
-    let part = share * lobe.power / CARRIED as f64;
-    for k in 0..CARRIED {
+    let points = ((CARRIED * share) as usize).max(FEWEST_CARRIED);
+    for k in 0..points {
         // a rank-1 lattice: even in both coordinates and in line with no edge
-        let u = [(k as f64 + 0.5) / CARRIED as f64, ((k as f64 + 0.5) * LATTICE).fract()];
-        let [x, y] = ports.cells.place(cell, [0, 1].map(|i| low[i] + (high[i] - low[i]) * u[i]));
+        let u = [(k as f64 + 0.5) / points as f64, ((k as f64 + 0.5) * LATTICE).fract()];
+        let [x, y] = ports.cells.place(cell, [0, 1].map(|i| part.low[i] + (part.high[i] - part.low[i]) * u[i]));
         let (dx, dy) = (x - at[0], y - at[1]);
         let (x, y) = (d.x + by_x[0] * dx + by_y[0] * dy, d.y + by_x[1] * dx + by_y[1] * dy);
         // beyond grazing there is no direction: what little gets there leaves along the sheet
         let beyond = x.hypot(y).max(1.0);
-        sums.add(ports.returning(d.z, [x / beyond, y / beyond]), part);
+        sums.add(ports.returning(d.z, [x / beyond, y / beyond]), share * lobe.power / points as f64);
     }
 }
 

@@ -5,6 +5,9 @@ use crate::{Glazing, Lobe, Lobes, OpticsError, Side, TreeWriter};
 use hemisphere::{Direction, Vec3, disk_to_square};
 use std::f64::consts::PI;
 
+/// Places along the radius of a cell, before it is halved as often as others are quartered.
+const PLACES_OF_RADIUS: usize = 3;
+
 /// A lobe's directions in the plane of incidence are shared by the cells on either side of it.
 const BESIDE: f64 = 1e-9;
 
@@ -33,7 +36,7 @@ fn one(glazing: &dyn Glazing, side: Side, way: Way, depth: u32, how: &Averaging,
     let mut writer = TreeWriter::new(3, depth);
     let mut lobes = Lobes::default();
     let size = PI / (cells * cells) as f64;
-    let places = how.most_places.max(1);
+    let places = PLACES_OF_RADIUS << how.levels;
     // incident radii fill the half of the first coordinate below ½
     for i in 0..cells / 2 {
         let radius = |c: usize| 1.0 - 2.0 * c as f64 / cells as f64;
