@@ -20,6 +20,8 @@ CASES = (
     "prism_rtrace",
     "measured_glass",
     "layered_glazing",
+    "layered_bsdf",
+    "energyplus_shoebox",
     "exact_monte_carlo",
     "float_glass",
     "deflected_fraction",
