@@ -140,33 +140,36 @@ impl Walker<'_> {
         if !self.scene.tracer.visible(&vertex.place, &self.scene.tracer.place_on(facet, point)) {
             return;
         }
-        let (outgoing, weight, total_reflections) = match straight {
+        let weight = by_patch.unwrap_or_else(|| sight.weight(self, techniques));
+        let leaving = |outgoing: Vec3, beta, total_reflections: u16| State {
+            ray: Ray { origin: point, direction: outgoing, leaving: facet },
+            beta,
+            came: Came::Specular,
+            bounces,
+            redirected: total_reflections > 0,
+            medium: Medium::AIR,
+            // what the window turns back sees the room once more
+            looks_out: outgoing.dot(self.scene.facet(facet).normal) > 0.0,
+        };
+        let (transmitted, turned) = match straight {
             Some(straight) => {
-                let weight = by_patch.unwrap_or_else(|| sight.weight(self, techniques));
-                (direction, weight * straight.transmittance, 0)
+                let is_mirrored = techniques.of_sensor && path.numbers.rng.uniform() < straight.reflectance;
+                let mirrored = is_mirrored.then(|| direction - 2.0 * direction.dot(frame.z) * frame.z);
+                (Some(leaving(direction, beta * weight * straight.transmittance, 0)), mirrored.map(|d| (d, 0)))
             }
             None => {
                 let u = [path.numbers.rng.uniform(), path.numbers.rng.uniform(), path.numbers.rng.uniform()];
                 match glazing.scatter(incident, u) {
-                    // what turns back into the room is left to the drawn directions
-                    Scattered::Leaves { direction, total_reflections } if direction.z < 0.0 => {
-                        (frame.outward(*direction), sight.weight(self, techniques), total_reflections)
+                    // what turns back into the room only a sensor follows; a reflection leaves it to its drawn direction
+                    Scattered::Leaves { direction, total_reflections } if direction.z < 0.0 || techniques.of_sensor => {
+                        (None, Some((frame.outward(*direction), total_reflections)))
                     }
-                    _ => return,
+                    _ => (None, None),
                 }
             }
         };
-        let beta = beta * weight;
-        if beta > 0.0 {
-            let state = State {
-                ray: Ray { origin: point, direction: outgoing, leaving: facet },
-                beta,
-                came: Came::Specular,
-                bounces,
-                redirected: total_reflections > 0,
-                medium: Medium::AIR,
-                looks_out: false,
-            };
+        let turned = turned.map(|(outgoing, total_reflections)| leaving(outgoing, beta * weight, total_reflections));
+        for state in [transmitted, turned].into_iter().flatten().filter(|state| state.beta > 0.0) {
             self.follow(state, &mut path.branch());
         }
     }

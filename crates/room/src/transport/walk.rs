@@ -167,19 +167,20 @@ impl Walker<'_> {
                 Kind::Window { glazing, frame } => {
                     let incident = Direction::from_unit(frame.inward(direction));
                     let straight = glazing.straight(incident);
-                    let kept = || match &state.came {
-                        Came::Scattered { cos, techniques } => {
+                    // from the room, points on the window find it as well
+                    let kept = match &state.came {
+                        Came::Scattered { cos, techniques } if incident.z < 0.0 => {
                             let sight =
                                 Sight { facet: hit.facet, from: origin, direction, distance: hit.distance, cos: *cos };
                             sight.share_of_directions(self, techniques, straight.is_some())
                         }
-                        Came::Specular => 1.0,
+                        _ => 1.0,
                     };
                     let leaves = match straight {
                         // a sensor's own few directions go both ways
                         Some(straight) if state.came.is_sensor() => {
-                            let beta =
-                                state.beta * straight.transmittance * if incident.z < 0.0 { kept() } else { 1.0 };
+                            state.beta *= kept;
+                            let beta = state.beta * straight.transmittance;
                             let ray = Ray { origin: point, direction, leaving: hit.facet };
                             self.follow(
                                 State { ray, beta, came: Came::Specular, medium: Medium::AIR, ..state },
@@ -196,8 +197,9 @@ impl Walker<'_> {
                             else {
                                 return;
                             };
-                            if leaves.z < 0.0 && incident.z < 0.0 {
-                                state.beta *= kept();
+                            // only a sensor's window points follow what turns back: more would multiply
+                            if leaves.z < 0.0 || state.came.is_sensor() {
+                                state.beta *= kept;
                             }
                             state.redirected |= total_reflections > 0;
                             frame.outward(*leaves)
