@@ -25,16 +25,16 @@ SEEDS = 4
 #: Rounds, nodes and window samples.
 Effort = tuple[int, int, int]
 FACTOR_EFFORTS: list[Effort] = [
-    (2, 1024, 32),
-    (2, 4096, 64),
-    (2, 8192, 64),
-    (2, 8192, 128),
-    (2, 12288, 128),
-    (2, 16384, 256),
-    (2, 32768, 512),
+    (2, 512, 32),
+    (2, 1024, 64),
+    (2, 2048, 64),
+    (2, 2048, 128),
+    (2, 4096, 128),
+    (2, 8192, 256),
+    (2, 16384, 512),
 ]
-COEFFICIENT_EFFORTS: list[Effort] = [(2, 32768, 1024), (2, 131072, 4096), (2, 262144, 8192), (2, 393216, 8192)]
-FINE_EFFORTS: list[Effort] = [(2, 131072, 4096), (2, 262144, 8192), (2, 262144, 12288), (2, 262144, 16384)]
+COEFFICIENT_EFFORTS: list[Effort] = [(2, 32768, 1024), (2, 65536, 2048), (2, 131072, 4096), (2, 131072, 6144)]
+FINE_EFFORTS: list[Effort] = [(2, 32768, 2048), (2, 65536, 4096), (2, 98304, 4096), (2, 131072, 4096)]
 DIVISIONS = [64, 256, 1024, 4096]
 PATHS = [256, 1024, 4096, 16384, 65536]
 
@@ -223,7 +223,7 @@ def table(name: str, points: list[Point] | str) -> list[str]:
 def section() -> str:
     """The section of docs/benchmarks.md; draws docs/images/benchmarks/room.svg on the way."""
     coarse, fine_basis = "tregenza145", "reinhart2305"
-    known = reference(coarse, panel=False, effort=(64, 65536, 4096))
+    known = reference(coarse, panel=False, effort=(48, 65536, 4096))
     agrees = agreement(known)
     efforts = sorted({*FACTOR_EFFORTS, *COEFFICIENT_EFFORTS}, key=lambda effort: effort[1] * effort[0])
     plain = own_points(known, efforts, basis=coarse, panel=False)
@@ -234,14 +234,14 @@ def section() -> str:
     }
     usual = [own(None, basis=coarse, panel=False, seed=seed) for seed in range(SEEDS)]
     default = known.judged("as it comes (16 rounds)", [(seconds, whole(found)) for seconds, found in usual])
-    known_fine = reference(fine_basis, panel=False, effort=(32, 262144, 8192))
+    known_fine = reference(fine_basis, panel=False, effort=(24, 262144, 8192))
     own_fine = own_points(known_fine, FINE_EFFORTS, basis=fine_basis, panel=False)
     fine: dict[str, list[Point] | str] = {
         "Clerestory": own_fine,
         "Radiance rfluxmtx": radiance_points(known_fine, [1024], basis=fine_basis),
         "Mitsuba 3 loop": mitsuba_points(known_fine, [16384], basis=fine_basis),
     }
-    known_panel = reference(coarse, panel=True, effort=(64, 65536, 4096))
+    known_panel = reference(coarse, panel=True, effort=(48, 65536, 4096))
     panel = own_points(known_panel, efforts, basis=coarse, panel=True)
     sun = suns()
     ran = {name: points for name, points in programs.items() if not isinstance(points, str)}

@@ -44,7 +44,7 @@ impl Sight {
     }
 
     /// What one point found by either counts for in the mean radiance (balance heuristic).
-    fn weight(&self, walker: &Walker<'_>, techniques: &Techniques<'_>) -> f64 {
+    pub fn weight(&self, walker: &Walker<'_>, techniques: &Techniques<'_>) -> f64 {
         self.by_direction(walker) / self.density(walker, techniques)
     }
 
@@ -69,6 +69,7 @@ impl Walker<'_> {
     pub fn look_out(&self, vertex: &Vertex, beta: f64, techniques: &Techniques<'_>, bounces: u32, path: &mut Path<'_>) {
         if let Light::Suns(suns) = self.light {
             suns.shine_on(self, vertex, beta, bounces, path);
+            suns.shine_spread(self, vertex, beta, techniques, bounces, path);
             return;
         }
         let spread = path.numbers.window();

@@ -20,6 +20,7 @@ pub mod rounds;
 mod sensors;
 pub mod settings;
 mod sky;
+mod spread;
 pub mod sun;
 mod suns;
 mod walk;

@@ -28,6 +28,9 @@ pub struct Own {
 /// Directions a sensor draws where only they explore, under suns: one for as many nodes.
 const SUNS_NODES_PER_DIRECTION: usize = 8;
 
+/// Points that a sensor draws on windows that spread the suns' light.
+const SPREAD_POINTS: u32 = 64;
+
 /// A sensor's own directions, where nodes do as well: one for as many nodes …
 const NODES_PER_DIRECTION: usize = 64;
 
@@ -53,7 +56,10 @@ impl Plan {
                     (points, per_sr, settings.window_samples)
                 }
                 // every reflection costs a look at all suns: go by the nodes
-                Light::Suns(_) => (0, 0.0, settings.nodes / SUNS_NODES_PER_DIRECTION),
+                Light::Suns(_) => {
+                    let points = if walker.portals.spreads() { SPREAD_POINTS } else { 0 };
+                    (points, 0.0, settings.nodes / SUNS_NODES_PER_DIRECTION)
+                }
             };
             Own { window_points, per_sr, directions: least.max((alone * exploring as f64).ceil() as u32) }
         };

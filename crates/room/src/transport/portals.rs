@@ -18,6 +18,8 @@ struct Portal {
     density: f64,
     /// Whether it turns no light.
     straight: bool,
+    /// Whether it spreads light.
+    spreads: bool,
 }
 
 /// A window as seen from a point in the room.
@@ -50,7 +52,8 @@ impl Portals {
             up_to_here += s.area / area;
             let straight =
                 matches!(&s.kind, Kind::Window { glazing, .. } if glazing.straight(Direction::from_unit(Vec3::Z)).is_some());
-            Portal { surface: surface as u32, facet: s.facets.start, up_to_here, density: 1.0 / area, straight }
+            let spreads = matches!(&s.kind, Kind::Window { glazing, .. } if glazing.spreads());
+            Portal { surface: surface as u32, facet: s.facets.start, up_to_here, density: 1.0 / area, straight, spreads }
         });
         Self { windows: windows.collect() }
     }
@@ -58,6 +61,11 @@ impl Portals {
     /// Surface and facet of each window that turns no light.
     pub fn straight(&self) -> impl Iterator<Item = (u32, u32)> + '_ {
         self.windows.iter().filter(|w| w.straight).map(|w| (w.surface, w.facet))
+    }
+
+    /// Whether any window spreads light.
+    pub fn spreads(&self) -> bool {
+        self.windows.iter().any(|w| w.spreads)
     }
 
     /// Whether no window turns light.

@@ -17,7 +17,7 @@ pub struct SunCoefficients {
     pub sensors: usize,
     /// Number of suns.
     pub suns: usize,
-    /// Straight or refracted, without total internal reflection.
+    /// Straight, refracted or spread, without total internal reflection.
     pub direct: Component,
     /// With total internal reflection.
     pub redirected: Component,

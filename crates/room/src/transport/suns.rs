@@ -78,6 +78,12 @@ impl Suns {
         Ok(suns)
     }
 
+    /// Every sun's number and one point of its disc, the same of all, which `u` picks.
+    pub fn directions(&self, u: f64) -> impl Iterator<Item = (u32, Vec3)> + '_ {
+        let chosen = (u * self.per_sun as f64) as usize;
+        (0_u32..).zip(self.points.chunks_exact(self.per_sun)).map(move |(sun, points)| (sun, points[chosen].towards))
+    }
+
     /// The sun's light on a vertex, for every sun. A sensor takes all points of the disc, a reflection one, by chance.
     pub fn shine_on(&self, walker: &Walker<'_>, vertex: &Vertex, beta: f64, bounces: u32, path: &mut Path<'_>) {
         let chosen = (path.numbers.rng.uniform() * self.per_sun as f64) as usize;

@@ -5,6 +5,7 @@ use super::nodes::Layer;
 use super::numbers::Event;
 use super::path::{Came, Light, Path, State, Techniques, Vertex};
 use super::portals::Portals;
+use super::spread::Looked;
 use super::{Entry, Part};
 use crate::scene::Scene;
 use crate::surface::{Kind, Medium};
@@ -168,13 +169,23 @@ impl Walker<'_> {
                     let incident = Direction::from_unit(frame.inward(direction));
                     let straight = glazing.straight(incident);
                     // from the room, points on the window find it as well
-                    let kept = match &state.came {
+                    let share = match &state.came {
                         Came::Scattered { cos, techniques } if incident.z < 0.0 => {
                             let sight =
                                 Sight { facet: hit.facet, from: origin, direction, distance: hit.distance, cos: *cos };
                             sight.share_of_directions(self, techniques, straight.is_some())
                         }
                         _ => 1.0,
+                    };
+                    let kept = match self.light {
+                        Light::Sky(_) => share,
+                        // of the suns, only what the window spreads
+                        Light::Suns(suns) => {
+                            let State { bounces, redirected, .. } = state;
+                            let looked = Looked { facet: hit.facet, point, direction, bounces, redirected };
+                            suns.glow(self, &looked, state.beta * share, path);
+                            1.0
+                        }
                     };
                     let leaves = match straight {
                         // a sensor's own few directions go both ways
@@ -256,7 +267,7 @@ impl Walker<'_> {
     fn reflection(&self) -> Techniques<'static> {
         let window_points = match self.light {
             Light::Sky(_) => WINDOW_POINTS,
-            Light::Suns(_) => 0,
+            Light::Suns(_) => u32::from(self.portals.spreads()),
         };
         Techniques { directions: 1.0, window_points, per_sr: 0.0, nodes: None, of_sensor: false }
     }
