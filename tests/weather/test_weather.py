@@ -48,6 +48,20 @@ def test_shorter_intervals_follow_a_cloudless_day():
     assert np.abs(again[DIFFUSE].to_numpy() - true["dhi"].to_numpy()).max() < 0.02 * true["dhi"].max()
 
 
+def test_shorter_intervals_follow_clouds_that_come_evenly():
+    """Clouds that thicken through the day do so within each hour, not in steps."""
+    from clerestory import sun_position
+    from clerestory.weather.course import course
+
+    fine = pd.date_range("2023-06-21 00:02:30", periods=288, freq="5min", tz=SITE.timezone)
+    altitude = sun_position(SITE, fine).apparent_altitude_deg.values
+    clearing = np.linspace(1.0, 0.0, 288)
+    true = pd.DataFrame({"dni": 1100 * clearing * course(DIRECT, altitude), "dhi": 0.0 * altitude}, fine)
+    again = Weather.from_frame(true.resample("h").mean(), SITE, times="start").resampled(5).frame[DIRECT].to_numpy()
+    high = altitude > 15.0
+    assert np.abs(again - true["dni"].to_numpy())[high].max() < 0.005 * true["dni"].max()
+
+
 @pytest.mark.parametrize("minutes", [25, 90, 0, -15])
 def test_intervals_that_do_not_fit_are_refused(miami, minutes):
     with pytest.raises(ClerestoryError, match="minutes must"):
