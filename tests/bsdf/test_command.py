@@ -8,7 +8,7 @@ import pytest
 from tests.bsdf.elements import uneven_bsdf, uneven_tree_bsdf
 from typer.testing import CliRunner
 
-from clerestory import read_bsdf
+from clerestory import LaserCutPanel, read_bsdf
 from clerestory.bsdf import read_radiance_matrix
 from clerestory.cli import app
 
@@ -81,3 +81,17 @@ def test_a_mistake_is_one_line(words: tuple[str, ...]) -> None:
     assert result.exit_code == 2
     assert result.stderr.startswith("clerestory: ")
     assert result.stderr.count("\n") == 1
+
+
+def test_make_writes_a_panel_s_file(tmp_path: Path) -> None:
+    panel = LaserCutPanel(spacing_mm=4.0, thickness_mm=6.0).to_toml(tmp_path / "panel.toml")
+    found = json.loads(run("make", panel, "--basis", "klems_quarter", "--out", tmp_path / "a.xml", "--json").stdout)
+    assert found["bands"]["visible"]["transmission_front"]["mean"] > 0.7
+    bsdf = read_bsdf(tmp_path / "a.xml")
+    assert [finding for finding in bsdf.check() if finding.severity != "note"] == []
+    # light from above leaves upwards
+    block = bsdf.visible.transmission_front
+    high, low = (np.array([0.0, sign * np.sin(np.radians(36.0))]) for sign in (1.0, -1.0))
+    assert block.at(low, high) > block.at(low, low)
+    both = run("make", panel, "--basis", "klems_half", "--rank", "4", "--out", tmp_path / "b.xml")
+    assert (both.exit_code, both.stderr.count("\n")) == (2, 1)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from clerestory.bsdf import Bsdf
 
 bsdf = typer.Typer(
-    help="BSDF files (LBNL XML, NetCDF): check, describe, convert and draw them.",
+    help="BSDF files (LBNL XML, NetCDF): make them of panels, check, describe, convert and draw them.",
     no_args_is_help=True,
 )
 
@@ -86,6 +86,38 @@ def convert(
         found = replace(found, **given)
         written = write_bsdf(found if basis is None else found.in_basis(basis), out, band=band, direction=direction)
         print(json.dumps({"written": str(written)}) if as_json else f"written: {written}")
+
+
+@bsdf.command("make")
+def make(
+    panel: Annotated[
+        Path, typer.Argument(help="Of a panel, as written by clerestory panel --out.", metavar="PANEL.toml")
+    ],
+    out: Annotated[Path, typer.Option(help="To write: .xml, .nc, .mtx, .epJSON or .idf.")],
+    basis: Basis = None,
+    rank: Annotated[int | None, typer.Option(help="3 or 4: tensor trees instead of matrices.")] = None,
+    log2_resolution: Annotated[int | None, typer.Option(help="Finest cells of trees: 5 is 2^5 a side.")] = None,
+    name: Annotated[str | None, typer.Option(help="Of the product.")] = None,
+    manufacturer: Annotated[str | None, typer.Option(help="Of the product.")] = None,
+    as_json: Json = False,
+) -> None:
+    """The BSDF of a panel, as a file that Radiance, WINDOW and EnergyPlus read."""
+    from dataclasses import replace
+
+    from clerestory.bsdf.summary import lines, summary
+    from clerestory.bsdf.writing import write_bsdf
+    from clerestory.panels import read_panel
+
+    with mistakes_told(), _warnings_told(as_json):
+        asked: dict[str, Any] = {"basis": basis, "rank": rank, "log2_resolution": log2_resolution}
+        made = read_panel(panel).bsdf(**{key: value for key, value in asked.items() if value is not None})
+        called: dict[str, Any] = {"name": name, "manufacturer": manufacturer}
+        made = replace(made, **{key: value for key, value in called.items() if value})
+        written = write_bsdf(made, out)
+        if as_json:
+            print(json.dumps({**summary(made), "written": str(written)}, indent=2))
+        else:
+            print("\n".join([*lines(made), f"written: {written}"]))
 
 
 @bsdf.command("plot")
