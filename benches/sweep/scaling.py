@@ -158,15 +158,14 @@ def page() -> str:
     ways = {"processes of this machine": local, "Dask on loopback": on_dask}
     timed = {way: [_best(how, workers) for workers in (1, 2)] for way, how in ways.items()}
     small, large, own = overhead(0), overhead(PAYLOAD), bookkeeping()
-    load = os.getloadavg()[0]
+    load, system = os.getloadavg()[0], f"{platform.system()}, Python {platform.python_version()}"
     limits = {"scheduler": large["scheduler"], "command": large["client"] + own["keep"]}
     lines = [
         "# How studies scale",
         "",
         f"Written by `python benches/sweep/scaling.py`, a part of `make bench`: Clerestory {__version__},",
-        f"{os.cpu_count()} cores, {platform.system()}, Python {platform.python_version()}, load {load:.1f} while it ran.",
-        "Where the load is more than the cores, other programs ran too: wall times and *times faster* then tell more of",
-        "them than of the study, and only CPU holds.",
+        f"{os.cpu_count()} cores, {system}, load {load:.1f} while it ran. Where the load is more than the cores, other",
+        "programs ran too: wall times and *times faster* then tell more of them than of the study, and only CPU holds.",
         "",
         "## Measured",
         "",

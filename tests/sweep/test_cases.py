@@ -2,11 +2,14 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 from tests.sweep.studies import PANEL
 
 from clerestory.errors import ClerestoryError
 from clerestory.panels import LaserCutPanel
 from clerestory.sweep import gather, run_sweep
+from clerestory.sweep.figures import figures_of
+from clerestory.sweep.gather import write_zarr
 from clerestory.sweep.panel_case import evaluate
 from clerestory.sweep.plan import sweep_of
 from clerestory.sweep.room_case import evaluate as evaluate_room
@@ -135,8 +138,6 @@ def test_a_case_of_kind_year_is_what_the_year_finds(tmp_path, monkeypatch):
     import sys
     from types import ModuleType
 
-    import xarray as xr
-
     asked = []
     year = ModuleType("clerestory.year")
 
@@ -151,3 +152,22 @@ def test_a_case_of_kind_year_is_what_the_year_finds(tmp_path, monkeypatch):
     assert run_sweep(study, tmp_path / "out", workers=0).computed == 2
     assert asked[1] == ({"room": {"sill_m": 2.0}}, tmp_path.resolve())
     np.testing.assert_allclose(gather(study, tmp_path / "out").sda, [0.6, 0.7])
+
+
+def test_rooms_of_other_sizes_stand_side_by_side(tmp_path):
+    tables = {"kind": "room", "base": ROOM, "parameters": {"shoebox.depth_m": [3.0, 5.0], "calculation.rounds": [2]}}
+    tables["base"] = {**ROOM, "calculation": {"basis": "tregenza145"}}
+    study = sweep_of(tables, name="depths.toml")
+    assert run_sweep(study, tmp_path, workers=0).computed == 2
+    found = gather(study, tmp_path)
+    written = write_zarr(found, tmp_path / "results.zarr")
+    with xr.open_zarr(written, consolidated=False) as read:
+        factor = read.daylight_factor.isel(variant=0).values
+        names = read.group.values.tolist()
+    # 3 by 3 sensors, and 3 by 5: what the smaller room lacks is NaN, and has no name
+    assert np.isfinite(factor).sum(axis=1).tolist() == [9, 15]
+    assert names[0] == ["floor"] * 9 + [""] * 6
+    assert found.y_m.values[1, -1] > np.nanmax(found.y_m.values[0])
+    figures = figures_of(found)
+    assert figures.daylight_factor_mean.dims == ("case",)
+    assert figures.daylight_factor_mean[1] == pytest.approx(factor[1].mean(), rel=1e-12)
