@@ -143,7 +143,7 @@ def test_a_case_of_kind_year_is_what_the_year_finds(tmp_path, monkeypatch):
 
     def of_year(tables, *, where):
         asked.append((tables, where))
-        return xr.Dataset({"sda": 0.5 + 0.1 * tables["room"]["sill_m"]})
+        return xr.Dataset({"sda": 0.5 + 0.1 * tables["room"]["sill_m"], "hourly": ("time", np.zeros(8760))})
 
     year.evaluate = of_year
     monkeypatch.setitem(sys.modules, "clerestory.year", year)
@@ -151,7 +151,10 @@ def test_a_case_of_kind_year_is_what_the_year_finds(tmp_path, monkeypatch):
     study = sweep_of(tables, where=tmp_path, name="years.toml")
     assert run_sweep(study, tmp_path / "out", workers=0).computed == 2
     assert asked[1] == ({"room": {"sill_m": 2.0}}, tmp_path.resolve())
-    np.testing.assert_allclose(gather(study, tmp_path / "out").sda, [0.6, 0.7])
+    found = gather(study, tmp_path / "out")
+    np.testing.assert_allclose(found.sda, [0.6, 0.7])
+    assert "hourly" not in found, "hour by hour stays in the files of the cases"
+    assert gather(study, tmp_path / "out", without=()).hourly.shape == (2, 8760)
 
 
 def test_rooms_of_other_sizes_stand_side_by_side(tmp_path):

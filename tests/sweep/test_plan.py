@@ -140,5 +140,15 @@ def test_mistakes_say_name_rule_value_and_way_out(parameters, more, message):
     assert message in str(told.value)
 
 
+def test_one_variant_of_the_base_is_kept():
+    base = {"panel": dict(PANEL), "variant": [{"name": "glass"}, {"name": "lcp"}]}
+    tables = {"kind": "year", "base": base, "parameters": {"panel.spacing_mm": [2]}}
+    assert sweep_of(tables | {"variant": "lcp"}, name="s.toml").base["variant"] == [{"name": "lcp"}]
+    assert sweep_of(tables | {"variant": ""}, name="s.toml").base["variant"] == []
+    assert len(sweep_of(tables, name="s.toml").base["variant"]) == 2
+    with pytest.raises(ClerestoryError, match="variant must be one of , glass, lcp, got 'lpc'; did you mean 'lcp'"):
+        sweep_of(tables | {"variant": "lpc"}, name="s.toml")
+
+
 def test_the_quick_study_has_six_cases():
     assert len(quick().cases) == 6

@@ -174,7 +174,7 @@ def design_of(tables: Mapping[str, Any], *, where: Path = Path(), name: str = "t
     """The design that the tables of a TOML file describe; paths in them refer to the folder ``where``."""
     top = Table(dict(tables), name)
     kind = one_of(f"kind of {name}", top.take("kind"), KINDS)
-    base, folder = read_base(top.take("base"), where)
+    base, folder = read_base(top.take("base"), where, top.take("variant", None))
     parameters = read_parameters(top.table("parameters").values, name)
     rows = top.tables("objective")
     if len(rows) not in (1, 2):

@@ -6,6 +6,7 @@ import json
 import os
 import shutil
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,7 @@ from clerestory.sweep.plan import Sweep
 from clerestory.sweep.store import Store
 
 
-def gather(sweep: Sweep, folder: str | os.PathLike[str]) -> xr.Dataset:
+def gather(sweep: Sweep, folder: str | os.PathLike[str], *, without: Sequence[str] = ("time",)) -> xr.Dataset:
     """The finished results of a study, side by side.
 
     Parameters
@@ -27,6 +28,9 @@ def gather(sweep: Sweep, folder: str | os.PathLike[str]) -> xr.Dataset:
     sweep : Sweep
     folder : path-like
         That the study was run in.
+    without : sequence of str, default ("time",)
+        Dimensions whose variables are left out: a year hour by hour of every case would fill the memory; it stays in
+        the files of the cases.
 
     Returns
     -------
@@ -45,7 +49,7 @@ def gather(sweep: Sweep, folder: str | os.PathLike[str]) -> xr.Dataset:
     kept = {case.key: None for case in sweep.cases if case.key in finished}
     if not kept:
         raise ClerestoryError(f"{folder} must hold a finished case of {sweep.name}, got none; see its folder failed")
-    read = {key: _as_data(store.read(key)) for key in kept}
+    read = {key: _as_data(store.read(key).drop_dims(without, errors="ignore")) for key in kept}
     status = [_status(store, case.key, finished) for case in sweep.cases]
     done = np.array([place for place, case in enumerate(sweep.cases) if case.key in finished])
     found = [read[sweep.cases[place].key] for place in done]

@@ -116,8 +116,8 @@ def read_sweep(path: str | os.PathLike[str]) -> Sweep:
     ----------
     path : path-like
         With ``kind`` ("panel", "room" or "year"); ``base``, tables of that kind or the name of a file beside it that
-        holds them; ``[parameters]``, dotted path → values; for sampled parameters a ``[design]``; ``join`` ("grid" or
-        "zip"); docs/how-to/sweep.md.
+        holds them, and the one ``variant`` of it to keep; ``[parameters]``, dotted path → values; for sampled
+        parameters a ``[design]``; ``join`` ("grid" or "zip"); docs/how-to/sweep.md.
 
     Raises
     ------
@@ -132,7 +132,7 @@ def sweep_of(tables: Mapping[str, Any], *, where: Path = Path(), name: str = "th
     """The study that the tables of a TOML file describe; paths in them refer to the folder ``where``."""
     top = Table(dict(tables), name)
     kind = one_of(f"kind of {name}", top.take("kind"), KINDS)
-    base, folder = read_base(top.take("base"), where)
+    base, folder = read_base(top.take("base"), where, top.take("variant", None))
     parameters = read_parameters(top.table("parameters").values, name)
     how = one_of(f"join of {name}", top.take("join", "grid"), ("grid", "zip"))
     design = top.take("design", None)
@@ -163,11 +163,26 @@ def sweep_of(tables: Mapping[str, Any], *, where: Path = Path(), name: str = "th
     return sweep
 
 
-def read_base(base: Any, where: Path) -> tuple[dict[str, Any], Path]:
-    """Tables given in place or as the name of a file, and the folder that their own paths refer to."""
+def read_base(base: Any, where: Path, variant: Any = None) -> tuple[dict[str, Any], Path]:
+    """Tables given in place or as the name of a file, and the folder that their own paths refer to.
+
+    Parameters
+    ----------
+    base : mapping or str
+    where : Path
+        The folder of the file that says so.
+    variant : str, optional
+        The one [[variant]] of the base to keep; "" for none.
+    """
     if isinstance(base, str):
         path = where / base
-        return read_toml(path), path.parent
-    if isinstance(base, Mapping):
-        return dict(base), where
-    raise ClerestoryError(f"base must be tables or the name of a file, got {base!r}")
+        tables, folder = read_toml(path), path.parent
+    elif isinstance(base, Mapping):
+        tables, folder = dict(base), where
+    else:
+        raise ClerestoryError(f"base must be tables or the name of a file, got {base!r}")
+    if variant is not None:
+        rows = {str(row.get("name", "")): row for row in tables.get("variant", []) if isinstance(row, Mapping)}
+        one_of("variant", variant, ("", *rows))
+        tables["variant"] = [rows[variant]] if variant else []
+    return tables, folder
