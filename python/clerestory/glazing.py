@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from numpy.typing import ArrayLike
 
@@ -17,6 +17,8 @@ from clerestory.panels.optics import Polarisation
 from clerestory.rules import not_negative, positive, within
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import xarray as xr
 
     from clerestory.bsdf import Bsdf
@@ -177,9 +179,15 @@ class Stack:
         return tuple(found)
 
     def glazing(self) -> _native.Glazing:
-        """The compiled half: polarisation resolved, daylight as the eye weighs it."""
+        """The compiled half: polarisation resolved, daylight as the eye weighs it.
+
+        With a BSDF among the layers it is their combined matrices in the full Klems basis.
+        """
+        from clerestory.layers.matrices import layered_stack
         from clerestory.layers.optics import stack_optics
 
+        if any(self._is_spreading(layer) for layer in self.glazings):
+            return layered_stack(self, basis="klems_full").bsdf.blurred_glazing()
         return stack_optics(self, wavelength_nm=None, polarisation="resolved", tolerance=_TOLERANCE)[0].glazing()
 
     def lobes(
@@ -292,17 +300,67 @@ class Stack:
         shares = self.angular(elevation_deg=elevation_deg, azimuth_deg=azimuth_deg, side=side)
         return shares["layer_absorptance"]
 
-    def bsdf(self, basis: str | None = None, *, name: str | None = None, **how: Any) -> Bsdf:
-        """The stack as matrices or tensor trees over directions, for visible daylight.
+    @staticmethod
+    def _is_spreading(layer: Glazing) -> bool:
+        if isinstance(layer, Stack):
+            return any(Stack._is_spreading(each) for each in layer.glazings)
+        return layer.glazing().spreads
+
+    def bsdf(
+        self,
+        basis: str | None = None,
+        *,
+        rank: int | None = None,
+        log2_resolution: int = 5,
+        bands: Sequence[str] = ("visible", "solar"),
+        wavelengths: int = 1,
+        polarisation: Polarisation = "resolved",
+        accuracy: float = 4e-3,
+        tolerance: float = 1e-5,
+        name: str | None = None,
+        manufacturer: str = "unspecified",
+    ) -> Bsdf:
+        """The stack as one BSDF, for files and other programs.
 
         Parameters
         ----------
-        basis, name, how
-            As of :func:`~clerestory.bsdf_of`: ``rank``, ``log2_resolution``, ``accuracy``, ``thickness_mm`` …
-        """
-        from clerestory.bsdf.of_glazing import bsdf_of
+        basis, rank, log2_resolution, bands, wavelengths, accuracy, tolerance, manufacturer
+            As of :meth:`Panel.bsdf <clerestory.panels.panel.Panel.bsdf>`.
+        polarisation : {"resolved", "averaged"}, default "resolved"
+            As of :meth:`lobes`.
+        name : str, optional
+            None: the layers' names or kinds.
 
-        return bsdf_of(self, basis=basis, name=name, **how)
+        Returns
+        -------
+        Bsdf
+            Exact where every layer sends light into beams: averages of the beams of the whole stack, with ``exact`` the
+            stack itself. Where a layer spreads light (a BSDF, rough cuts), the matrices of all layers multiplied with
+            all reflections between them, in the bands that every layer has. Layers by formula (``Glass``, ``Slab``, …) do
+            the same in every band.
+
+        Raises
+        ------
+        ClerestoryError
+            If an argument is out of its range, or ``rank`` is given and a layer spreads light.
+
+        Notes
+        -----
+        theory/layers.md, eq. 8; theory/bsdf_averaging.md.
+        """
+        from clerestory.bsdf.of_glazing import DRAWS, Averaging
+        from clerestory.layers.matrices import stack_bsdf
+
+        return stack_bsdf(
+            self,
+            Averaging(basis, rank, log2_resolution, accuracy, DRAWS, 0),
+            bands=bands,
+            wavelengths=wavelengths,
+            polarisation=polarisation,
+            tolerance=tolerance,
+            name=name,
+            manufacturer=manufacturer,
+        )
 
     def hemispherical(
         self,

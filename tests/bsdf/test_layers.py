@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from clerestory import ClerestoryError, Medium, Pane, Stack
+from clerestory import ClerestoryError, Gap, Medium, Pane, Stack
 from clerestory.bsdf import Band, Bsdf, KlemsBlock
 from clerestory.bsdf.klems import klems_basis
 from clerestory.bsdf.layers import layered_band, layered_bsdf
@@ -163,6 +163,42 @@ def test_matrices_of_panes_agree_with_the_exact_stack():
         # from 75° to the horizon shares change over the patch by all they can
         np.testing.assert_allclose(ours, expected, atol=0.04)
     np.testing.assert_allclose(transmission[:9], exact("transmittance")[:9], atol=1e-5)
+
+
+def test_a_stack_of_beams_is_averaged_as_it_stands():
+    """Its columns are the means of the exact stack over their patches, polarisation and all; solar beside visible."""
+    medium = Medium(n=N, absorption_per_mm=0.02)
+    stack = Stack([Pane(thickness_mm=4.0, medium=medium), Gap(width_mm=12.0), Pane(thickness_mm=4.0, medium=medium)])
+    found = stack.bsdf(basis="klems_full")
+
+    def exact(theta):
+        shares = stack.angular(elevation_deg=theta.ravel())
+        return shares.transmittance.values[:, 0].reshape(theta.shape)
+
+    np.testing.assert_allclose(found.visible.transmission_front.hemispherical(), polar_means(exact), atol=2e-3)
+    assert found.exact is stack
+    assert found.thickness_mm == 20.0
+    assert found.solar is not None
+    averaged = stack.bsdf(basis="klems_full", polarisation="averaged", bands=("visible",))
+    lost = found.visible.transmission_front.hemispherical() - averaged.visible.transmission_front.hemispherical()
+    assert lost[BASIS.ring == 6].min() > 0.02
+
+
+def test_a_stack_with_a_bsdf_is_multiplied():
+    shade = Bsdf(name="shade", visible=rough_band(13, 0.8), thickness_mm=1.0)
+    pane = Pane(thickness_mm=4.0, medium=Medium(n=N))
+    stack = Stack([pane, Gap(width_mm=12.0), shade])
+    found = stack.bsdf()
+    expected = layered_band([pane.bsdf(bands=("visible",)).visible, shade.visible]).band
+    for name, values in blocks(found.visible).items():
+        np.testing.assert_allclose(values, blocks(expected)[name], atol=1e-12)
+    assert found.thickness_mm == 17.0
+    assert found.exact is None
+    assert stack.glazing().spreads
+    with pytest.raises(ClerestoryError, match="rank must be left out where a layer spreads light"):
+        stack.bsdf(rank=4)
+    with pytest.raises(ClerestoryError, match=r"layers\[1\] spreads light"):
+        stack.angular(elevation_deg=0.0)
 
 
 def test_bsdfs_combine_in_the_bands_they_share():
