@@ -214,6 +214,7 @@ def bench():
     do("cargo", "bench", "--workspace", "--locked", **cargo_variables())
     do(PYTHON, os.path.join("benches", "peers", "race.py"))
     do(PYTHON, os.path.join("benches", "peers", "room_race.py"))
+    do(PYTHON, os.path.join("benches", "peers", "bsdf_race.py"))
     do(PYTHON, os.path.join("benches", "peers", "year_race.py"))
     do(PYTHON, os.path.join("benches", "sweep", "scaling.py"))
 
