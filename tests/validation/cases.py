@@ -36,6 +36,7 @@ CASES = (
     "sun_through_pane",
     "panel_lights_ceiling",
     "drawn_panel",
+    "drawn_stack",
     "year_sky",
     "year_brute_force",
     "year_radiance",
