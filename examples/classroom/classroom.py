@@ -1,37 +1,41 @@
-"""A classroom with a laser-cut panel above its window, compared with glass alone:
+"""A classroom in Miami through a year: glass alone, a laser-cut panel above, a prismatic sheet above:
 
     python examples/classroom/classroom.py --out out/classroom
 
-Room, glazings and skies stand in classroom.toml; `clerestory room` with that file does the same.
+Weather, room, glazings and schedule stand in year.toml; `clerestory year` with that file does the same.
 """
 
 import argparse
+import sys
 from pathlib import Path
 
-from clerestory.study import read_study, run_study, summary
-from clerestory.study_report import write_report
+from clerestory.year import State, read_year, run_year, write_year
+from clerestory.year.figures import asked_for, text_of
 
-ROOM = Path(__file__).with_name("classroom.toml")
+STUDY = Path(__file__).with_name("year.toml")
+
+
+def follow(state: State) -> None:
+    """One line on a terminal, nothing in a file."""
+    if sys.stderr.isatty():
+        left = "" if state.seconds_left != state.seconds_left else f", {state.seconds_left:.0f} s to go"
+        print(f"\r\033[K  {100 * state.done:3.0f} %  {state.variant}: {state.what}{left}", end="", file=sys.stderr)
 
 
 def main(out: Path) -> None:
-    study = read_study(ROOM)
-    findings = run_study(study)
-    written = write_report(study, findings, out)
+    study = read_year(STUDY)
+    try:
+        results = run_year(study, out, follow)
+    except KeyboardInterrupt:
+        sys.exit(f"\nstopped: what is finished is kept in {out}, the same command goes on from there")
+    written = write_year(study, results, out)
+    print("\r\033[K" if sys.stderr.isatty() else "", end="", file=sys.stderr)
 
-    print("Classroom in Maceió, 4 × 8 × 3 m, window to the north\n")
-    print("  glazing                      daylight factor [%]: mean   least   min/mean   error   CPU")
-    for label, row in summary(findings).items():
-        factor = row["daylight_factor_percent"]
-        print(
-            f"  {label:46}  {factor['mean']:5.2f}   {factor['least']:5.2f}   {factor['uniformity']:8.2f}"
-            f"   ≤ {factor['worst_relative_standard_error']:.0%}   {row['cpu_seconds']:.1f} s"
-        )
-    for sky in study.skies:
-        print(f"\n  {sky} [lx]: mean, least")
-        for label, row in summary(findings).items():
-            lit = row["illuminance_lx"][sky]
-            print(f"  {label:46}  {lit['mean']:5.0f}   {lit['least']:5.0f}")
+    print(f"{study.name}: a year of daylight\n")
+    print(f"  {'':36}" + "".join(f"{label:>24}" for label in results))
+    for figure in asked_for(results):
+        name = f"{figure.label} [{figure.unit}]" if figure.unit else figure.label
+        print(f"  {name:36}" + "".join(f"{text_of(found, figure):>24}" for found in results.values()))
     print("\nResults:")
     for path in written:
         print(f"  {path}")

@@ -11,6 +11,7 @@ from clerestory.cli.panel import panel
 from clerestory.cli.room import room
 from clerestory.cli.sweep import sweep
 from clerestory.cli.weather import weather
+from clerestory.cli.year import year
 
 app = typer.Typer(
     cls=OneLineGroup,
@@ -29,6 +30,7 @@ app.command("sweep")(sweep)
 app.command("design")(design)
 app.command("convert")(convert)
 app.command("weather")(weather)
+app.command("year")(year)
 app.command("doctor")(doctor)
 
 __all__ = ["app"]

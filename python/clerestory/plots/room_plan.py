@@ -135,6 +135,7 @@ def draw_grid(
     norm: Normalize | None = None,
     numbers: bool = True,
     contours: bool = True,
+    digits: int | None = None,
 ) -> Any:
     """Cells, contour lines and numbers of one grid; returns the cells, for a colour bar."""
     place = frame.place(np.stack([values[f"{axis}_m"].values for axis in "xyz"], axis=1))
@@ -151,7 +152,7 @@ def draw_grid(
         if not numbers:
             axes.clabel(lines, fmt="%g", fontsize=8)
     if numbers:
-        digits = _digits(float(np.nanmax(np.abs(cells))))
+        digits = _digits(float(np.nanmax(np.abs(cells)))) if digits is None else digits
         for (u, v), value in zip(place, values.values, strict=True):
             text = axes.text(u, v, f"{value:.{digits}f}", ha="center", va="center", fontsize=6.5, color="white")
             text.set_path_effects([withStroke(linewidth=1.6, foreground=INK)])
