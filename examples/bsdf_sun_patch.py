@@ -108,7 +108,7 @@ def figure(found: dict[str, np.ndarray]) -> Figure:
             axes[-1].plot(depth, values[row], label=name, **line_style(number))
         axes[-1].set(xlabel="from the window [m]", ylabel="along the brightest row [lx]", ylim=(0.0, None))
         axes[-1].grid(color=HAIR)
-        axes[-1].legend(loc="upper right")
+        axes[-1].legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), fontsize=8)
         heading(drawn, "The same panel, exact and as files: light straight from the panel on the ceiling")
     return drawn
 
