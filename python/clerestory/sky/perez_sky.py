@@ -25,7 +25,7 @@ from clerestory.sky.perez import (
 )
 from clerestory.sun import direction_of
 
-_NODE_RAD = np.radians(3.2)
+_NODE_RAD = np.radians(3.0)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -177,6 +177,6 @@ class PerezSky:
 
 
 def quadrature_order(basis: str) -> int:
-    """Points each way in a patch: one for each 3.2° of its height begun, at least two."""
+    """Points each way in a patch: one for each 3° of its height begun, at least two."""
     bounds = np.asarray(sky_basis(basis).bounds)[:-1]
     return max(2, int(np.ceil(float((bounds[:, 1] - bounds[:, 0]).max()) / float(_NODE_RAD) - 1e-9)))
