@@ -78,14 +78,14 @@ def figure(found: list[tuple[str, Floats, Floats]], path: Path) -> None:
     mpl.use("Agg")
     import matplotlib.pyplot as plt
 
-    drawn, (left, right) = plt.subplots(1, 2, figsize=(10, 3.6), layout="constrained")
+    drawn, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2), layout="constrained")
     for name, off, sums in found:
         left.semilogy(np.maximum(off, 1e-6), ".", label=name, markersize=4)
         right.plot(sums, ".", label=name, markersize=4)
     left.axhline(0.002, color="0.6", linewidth=0.8)
     left.set(xlabel="incident patch, Klems full", ylabel="sum of |differences| from converged")
     right.set(xlabel="incident patch, Klems full", ylabel="T + R of a lossless panel")
-    left.legend(frameon=False, fontsize=8)
+    drawn.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=3, frameon=False, fontsize=8)
     path.parent.mkdir(parents=True, exist_ok=True)
     drawn.savefig(path, dpi=130)
 
@@ -127,8 +127,8 @@ def section() -> str:
             f"Laser-cut, n = {N}, D/W = {D_OVER_W}, lossless, cuts of no width (Radiance: 0.001 W), both sides, CPU",
             "seconds; of Clerestory's the fastest of three. Distance: the sum of absolute differences of a column from",
             "converged, as a share of the light, over the 145 columns of light from the front. The converged matrix is",
-            "Clerestory's own at `accuracy=1e-4`, polarisation carried along; Radiance averages it at every hit. Its patches",
-            "are named as fits best.",
+            "Clerestory's own at `accuracy=1e-4`, polarisation carried along; Radiance averages it at every hit. Its",
+            "patches are named as fits best.",
             "",
             "| program | CPU s | distance, mean | distance, worst | T + R |",
             "|---|---|---|---|---|",
