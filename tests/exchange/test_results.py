@@ -143,6 +143,19 @@ def test_the_folder_is_laid_out_as_ladybug_tools_reads_it(tmp_path):
 GRIDS = ("desk", "wall_north")
 
 
+def test_hours_are_those_of_standard_time(tmp_path):
+    """Where the clock is put forward and back, these formats go on."""
+    utc = pd.date_range("2023-01-01 05:30", periods=8760, freq="h")
+    local = utc.tz_localize("UTC").tz_convert("America/New_York").tz_localize(None)
+    year = xr.Dataset(
+        {"total": (("sensor", "time"), np.ones((1, 8760)))}, coords={"time": utc, "local_time": ("time", local)}
+    )
+    assert len(set(local)) < 8760
+    write_ladybug_results(year, tmp_path)
+    assert [float(line) for line in (tmp_path / "sun-up-hours.txt").read_text().split()] == list(range(8760))
+    assert write_ill(year, tmp_path / "a.ill").read_text().splitlines()[-1] == "12 31 23.500 1.0"
+
+
 def test_older_recipes_have_text(tmp_path):
     write_ladybug_results(annual(), tmp_path, form="ill")
     rows = [line.split("\t") for line in (tmp_path / "desk.ill").read_text().splitlines()]
@@ -157,7 +170,7 @@ def test_what_cannot_be_written_is_told(tmp_path):
     broken = year.assign(total=year.total.where(year.sensor != 1) if "sensor" in year.coords else year.total * np.nan)
     with pytest.raises(ClerestoryError, match="must be finite to be written"):
         write_ill(broken, tmp_path / "a.ill")
-    leap = year.assign_coords(local_time=("time", pd.date_range("2024-02-29 00:30", periods=48, freq="h")))
+    leap = year.drop_vars("local_time").assign_coords(time=pd.date_range("2024-02-29 00:30", periods=48, freq="h"))
     with pytest.raises(ClerestoryError, match="must not fall on 29 February"):
         write_ladybug_results(leap, tmp_path)
     with pytest.raises(ClerestoryError, match="a year without light"):

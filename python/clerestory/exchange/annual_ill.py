@@ -31,7 +31,7 @@ def write_ill(annual: xr.Dataset, path: str | os.PathLike[str], *, quantity: str
     Returns
     -------
     Path
-        Of the file: a line for each time with month, day and hour (the middle of the interval on the site's clock),
+        Of the file: a line for each time with month, day and hour (the middle of the interval in standard time),
         then the illuminance [lx] at each sensor, between spaces.
 
     Raises

@@ -13,18 +13,20 @@ Hours = npt.NDArray[np.float64]
 
 
 def local_times(annual: xr.Dataset) -> pd.DatetimeIndex:
-    """Middles of the intervals on the site's clock: `local_time` where it is there, else `time`.
+    """Middles of the intervals in the site's standard time, which these formats count in: no hour twice, none skipped.
+
+    It is `time`, moved by the least that `local_time` is ahead of it: daylight saving time is ahead of standard time
+    everywhere. Without `local_time`, `time` is taken as it is.
 
     Raises
     ------
     ClerestoryError
         If there are no times.
     """
-    for name in ("local_time", "time"):
-        if name in annual.coords:
-            values = annual[name].values
-            if np.issubdtype(values.dtype, np.datetime64):
-                return pd.DatetimeIndex(values)
+    if "time" in annual.coords and np.issubdtype(annual["time"].dtype, np.datetime64):
+        utc = pd.DatetimeIndex(annual["time"].values)
+        ahead = pd.DatetimeIndex(annual["local_time"].values) - utc if "local_time" in annual.coords else None
+        return utc if ahead is None else utc + ahead.min()
     raise ClerestoryError("annual results must have the coordinate time, got none; take those of annual_illuminance")
 
 
