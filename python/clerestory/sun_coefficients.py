@@ -51,7 +51,7 @@ def sun_coefficients(
     ------
     ClerestoryError
         If the room is wrong, a sun is below the horizon, or a window's light has no definite directions, as a rough panel's:
-        fill the window with its ``panel.bsdf()``.
+        fill the window with its ``panel.bsdf().blurred()``.
 
     Notes
     -----
@@ -60,7 +60,8 @@ def sun_coefficients(
     :math:`p \cos\theta_i / \cos\theta_k` of the sun's normal illuminance (theory/illuminance.md, eq. 6). What a window spreads, as a
     `Bsdf` does, counts as `direct`: its points glow under the sun and are looked at (theory/room.md, eq. 14).
 
-    Suns seen by way of a mirror, of the inner face of a window or through several windows in a row are not looked for.
+    Beams pass clear windows before and behind the one that turns them. Suns seen by way of a mirror or of the inner face of a
+    window, and through two windows in a row that both turn light, are not looked for; a `Stack` in one window has no such limit.
     """
     altitude, azimuth = np.broadcast_arrays(np.atleast_1d(altitude_deg), np.atleast_1d(azimuth_deg))
     if altitude.ndim != 1 or len(altitude) == 0:

@@ -130,7 +130,7 @@ pub enum RoomError {
     /// A window that scatters the sun's light in no definite directions.
     #[error(
         "{name}: the sun's beams behind a window must have definite directions, got {residual:.3} of the light without; \
-         use smooth cuts, or fill the window with the panel's own BSDF, `panel.bsdf()`, which spreads the sun's light"
+         use smooth cuts, or fill the window with the panel's own BSDF, `panel.bsdf().blurred()`, which spreads the sun's light"
     )]
     NoLobes {
         /// The window.

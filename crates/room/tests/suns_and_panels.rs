@@ -195,3 +195,34 @@ fn rough_panel_has_no_exact_sun() {
         sun_coefficients(&scene, &[Vec3::ONE], &[Vec3::Z], &[sun(45.0, 180.0)], 1, &Settings::default(), |_| true);
     assert!(matches!(found, Err(RoomError::NoLobes { ref name, .. }) if name == "window"));
 }
+
+/// Two panes one behind the other, each a window of its own, let through what both together do; a third that turns light lets
+/// the sun in through them from either side.
+#[test]
+fn sun_passes_windows_in_a_row() {
+    let black = Shoebox { reflectances: [0.0; 3], ..Shoebox::reference() };
+    let pane = |t| -> Arc<dyn Glazing> { Arc::new(ClearGlazing::constant(t).expect("possible")) };
+    let turn = || -> Arc<dyn Glazing> { Arc::new(Turner { turned: 1.0 }) };
+    let outline = |y: f64| [(-9., -9.), (-9., 9.), (13., 9.), (13., -9.)].map(|(x, z)| Vec3::new(x, y, z));
+    let lit = |inner: Arc<dyn Glazing>, outer: Arc<dyn Glazing>| {
+        let mut b = black.builder(inner);
+        b.window("outer", &outline(-0.5), outer, None, None).expect("sound");
+        let scene = b.build().expect("sound");
+        let settings = Settings { rounds: 2, ..Settings::default() };
+        // where the straight sun falls, and where it goes once its rise is turned about
+        let (points, normals) = ([Vec3::new(2.0, 1.5, 0.5), Vec3::new(2.0, 1.5, 2.9)], [-Vec3::Y; 2]);
+        let towards = sun(45.0, 180.0);
+        let found = sun_coefficients(&scene, &points, &normals, &[towards], 4, &settings, |_| true).expect("beams");
+        (found.direct.value, found.redirected.value)
+    };
+    let cos = sun(45.0, 180.0).dot(-Vec3::Y);
+    let (direct, redirected) = lit(pane(0.8), pane(0.5));
+    assert!((direct[0] - 0.4 * cos).abs() < 1e-3 && direct[1] == 0.0 && redirected == [0.0; 2], "{direct:?}");
+    for (inner, outer) in [(pane(0.8), turn()), (turn(), pane(0.8))] {
+        let (direct, redirected) = lit(inner, outer);
+        assert!(
+            (redirected[1] - 0.8 * cos).abs() < 1e-3 && redirected[0] == 0.0 && direct == [0.0; 2],
+            "{redirected:?}"
+        );
+    }
+}

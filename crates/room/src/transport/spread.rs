@@ -4,7 +4,7 @@ use super::Entry;
 use super::look_out::Sight;
 use super::path::{Path, Techniques, Vertex};
 use super::portals::Drawn;
-use super::suns::Suns;
+use super::suns::{Suns, let_through};
 use super::walk::Walker;
 use crate::surface::Kind;
 use crate::tracer::Ray;
@@ -72,7 +72,8 @@ impl Suns {
             let incident = Direction::from_unit(frame.inward(-towards));
             let value = beta * incident.z.abs() * glazing.bsdf(incident, outgoing);
             let ray = Ray { origin: looked.point, direction: towards, leaving: looked.facet };
-            if towards.z > 0.0 && value > 0.0 && walker.scene.tracer.closest(&ray).is_none() {
+            if towards.z > 0.0 && value > 0.0 {
+                let value = value * let_through(walker.scene, ray, None);
                 path.out.entries.push(Entry { patch: sun, part, value });
             }
         }

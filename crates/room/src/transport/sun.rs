@@ -35,8 +35,8 @@ pub struct SunCoefficients {
 
 /// The sun's light on sensors in a scene, for each direction `towards` it; every round draws `disc_samples` points of its disc.
 ///
-/// Suns that reach a sensor by way of mirrors, inner reflections of a window, or several windows in a row are not
-/// looked for.
+/// Suns that reach a sensor by way of mirrors, inner reflections of a window, or several windows in a row that turn light are
+/// not looked for.
 pub fn sun_coefficients(
     scene: &Scene,
     points: &[Vec3],

@@ -47,6 +47,8 @@ struct Beam {
     /// Illuminance across it over the sun's normal illuminance: p cos θ_i / cos θ_k.
     strength: f64,
     redirected: bool,
+    /// Whether the window turns no light.
+    straight: bool,
 }
 
 impl Suns {
@@ -132,10 +134,35 @@ impl Beam {
             return 0.0;
         }
         let outside = Ray { origin: point, direction: towards, leaving: self.facet };
-        let clear = scene.tracer.visible(&vertex.place, &scene.tracer.place_on(self.facet, point))
-            && scene.tracer.closest(&outside).is_none();
-        if clear { cos * self.strength } else { 0.0 }
+        // light turned by one window may pass clear ones on either side; between clear ones the innermost speaks for all
+        let inside = if scene.tracer.visible(&vertex.place, &scene.tracer.place_on(self.facet, point)) {
+            1.0
+        } else if self.straight {
+            0.0
+        } else {
+            let looked = Ray { origin: from, direction: -self.direction, leaving: vertex.facet };
+            let_through(scene, looked, Some(self.facet))
+        };
+        if inside > 0.0 { cos * self.strength * inside * let_through(scene, outside, None) } else { 0.0 }
     }
+}
+
+/// The share of light that clear windows let through along a ray, up to a facet or to the sky; 0 if anything else is met.
+pub fn let_through(scene: &Scene, mut ray: Ray, up_to: Option<u32>) -> f64 {
+    let mut share = 1.0;
+    while let Some(hit) = scene.tracer.closest(&ray) {
+        if up_to == Some(hit.facet) {
+            return share;
+        }
+        let Kind::Window { glazing, frame } = &scene.surface_of(hit.facet).kind else { return 0.0 };
+        let Some(straight) = glazing.straight(Direction::from_unit(frame.inward(ray.direction))) else { return 0.0 };
+        share *= straight.transmittance;
+        ray = Ray { origin: ray.origin + hit.distance * ray.direction, leaving: hit.facet, ..ray };
+        if share == 0.0 {
+            return 0.0;
+        }
+    }
+    if up_to.is_none() { share } else { 0.0 }
 }
 
 /// The beams that light from one direction sends in by every window, from its front to its back.
@@ -151,7 +178,9 @@ fn beams_of(scene: &Scene, towards: Vec3) -> Result<Vec<Beam>, RoomError> {
         if incident.z <= 0.0 {
             continue;
         }
-        glazing.lobes(Direction::from_unit(incident), &mut lobes);
+        let incident = Direction::from_unit(incident);
+        glazing.lobes(incident, &mut lobes);
+        let straight = glazing.straight(incident).is_some();
         if lobes.residual > RESIDUAL {
             return Err(RoomError::NoLobes { name: surface.name.clone(), residual: lobes.residual });
         }
@@ -161,6 +190,7 @@ fn beams_of(scene: &Scene, towards: Vec3) -> Result<Vec<Beam>, RoomError> {
             way_per_height: 1.0 / lobe.direction.z,
             strength: lobe.power * incident.z / lobe.direction.z,
             redirected: lobe.total_reflections > 0,
+            straight,
         }));
     }
     Ok(beams)
