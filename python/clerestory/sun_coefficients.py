@@ -50,18 +50,19 @@ def sun_coefficients(
     Raises
     ------
     ClerestoryError
-        If the room is wrong, a sun is below the horizon, or a window's light has no definite directions, as a rough panel's:
-        fill the window with its ``panel.bsdf().blurred()``.
+        If the room is wrong, a sun is below the horizon, or a window's light has no definite directions, as a rough
+        panel's: fill the window with its ``panel.bsdf().blurred()``.
 
     Notes
     -----
     The panel's exact lobes say in which few directions the light of one sun enters; each is followed with the disc of
     0.533°: no patches, no blur. A beam of share p that leaves at cos θ_k when the sun comes in at cos θ_i has
-    :math:`p \cos\theta_i / \cos\theta_k` of the sun's normal illuminance (theory/illuminance.md, eq. 6). What a window spreads, as a
-    `Bsdf` does, counts as `direct`: its points glow under the sun and are looked at (theory/room.md, eq. 14).
+    :math:`p \cos\theta_i / \cos\theta_k` of the sun's normal illuminance (theory/illuminance.md, eq. 6).
 
-    Beams pass clear windows before and behind the one that turns them. Suns seen by way of a mirror or of the inner face of a
-    window, and through two windows in a row that both turn light, are not looked for; a `Stack` in one window has no such limit.
+    What a window spreads, as a `Bsdf` does, counts as `direct`: its points glow under the sun and are looked at
+    (theory/room.md, eq. 14). Beams pass clear windows before and behind the one that turns them. Suns seen by way of a
+    mirror or of the inner face of a window, and through two windows in a row that both turn light, are not looked for;
+    a `Stack` in one window has no such limit.
     """
     altitude, azimuth = np.broadcast_arrays(np.atleast_1d(altitude_deg), np.atleast_1d(azimuth_deg))
     if altitude.ndim != 1 or len(altitude) == 0:
