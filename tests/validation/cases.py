@@ -33,6 +33,7 @@ CASES = (
     "cie171_glazed",
     "external_mask",
     "radiance_room",
+    "radiance_bsdf_room",
     "sun_through_pane",
     "panel_lights_ceiling",
     "drawn_panel",

@@ -8,6 +8,7 @@ from tests.validation.cases import CASES, FOLDER, claim
 #: Packages that a case compares with; a machine without them leaves it out.
 OTHER_PROGRAMS = {
     "radiance_room": ["pyradiance"],
+    "radiance_bsdf_room": ["pyradiance"],
     "layered_glazing": ["pywincalc"],
     "year_sky": ["pyradiance"],
     "year_radiance": ["pyradiance"],

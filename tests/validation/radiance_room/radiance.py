@@ -23,8 +23,8 @@ sky_glow source sky 0 0 4 0 0 1 180
 """
 
 
-def scene_text(room: Room) -> str:
-    """Surfaces as plastic with seams for holes, windows as glass."""
+def scene_text(room: Room, windows: str | None = None) -> str:
+    """Surfaces as plastic with seams for holes, windows as glass unless their text is given."""
     lines = [f"void glass pane 0 0 3 {TRANSMISSIVITY} {TRANSMISSIVITY} {TRANSMISSIVITY}"]
     for index, surface in enumerate(room.surfaces):
         level = surface.material.diffuse_reflectance
@@ -33,17 +33,22 @@ def scene_text(room: Room) -> str:
         for hole in surface.holes_m:
             corners += [corners[0], *hole[::-1], hole[-1]]
         lines.append(_polygon(f"m{index}", f"s{index}", corners))
-    lines += [_polygon("pane", f"w{index}", list(window.outline_m)) for index, window in enumerate(room.windows)]
+    if windows is None:
+        lines += [_polygon("pane", f"w{index}", list(window.outline_m)) for index, window in enumerate(room.windows)]
+    else:
+        lines.append(windows)
     return "\n".join(lines) + "\n"
 
 
-def radiance_coefficients(room: Room, sensors: Sensors, *, divisions: int, seed: int) -> Array:
+def radiance_coefficients(
+    room: Room, sensors: Sensors, *, divisions: int, seed: int, windows: str | None = None
+) -> Array:
     """Coefficients in Radiance's order, ground first, shape (sensors, 146)."""
     import pyradiance
 
     with tempfile.TemporaryDirectory() as folder:
         scene, sky, octree = (Path(folder) / name for name in ("room.rad", "sky.rad", "room.oct"))
-        scene.write_text(scene_text(room))
+        scene.write_text(scene_text(room, windows))
         sky.write_text(SKY)
         octree.write_bytes(pyradiance.oconv(str(scene)))
         rays = "".join(
