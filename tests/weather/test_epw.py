@@ -136,8 +136,7 @@ def test_years_of_one_stretch_are_kept(spoiled):
     assert set(read_epw(spoiled(change)).times.year) == {2019}
 
 
-@pytest.mark.parametrize("hours", [-3.0, 3.0])
-def test_longitude_of_the_wrong_sign_is_mirrored(spoiled, hours):
+def test_longitude_of_the_wrong_sign_is_mirrored(spoiled):
     """Far from Greenwich the clock and the light contradict it."""
     found = read_epw(spoiled(changed(0, 7, "80.30")))
     assert found.site.longitude_deg == -80.30
