@@ -77,6 +77,7 @@ if TYPE_CHECKING:
         sky_matrix,
         sun_normal_illuminance_lx,
     )
+    from clerestory.year import YearStudy, read_year, run_year, write_year
 
 __all__ = [
     "AbsorptionSpectrum",
@@ -127,6 +128,7 @@ __all__ = [
     "TregenzaSharples",
     "Weather",
     "Window",
+    "YearStudy",
     "__version__",
     "annual_illuminance",
     "annual_light_exposure",
@@ -166,8 +168,10 @@ __all__ = [
     "read_room",
     "read_sweep",
     "read_wea",
+    "read_year",
     "run_design",
     "run_sweep",
+    "run_year",
     "save",
     "sky_basis",
     "sky_matrix",
@@ -182,6 +186,7 @@ __all__ = [
     "useful_depth",
     "with_blinds",
     "write_room",
+    "write_year",
 ]
 
 #: Where each name comes from: its module is imported when the name is first used, so that few wait for many.
@@ -288,6 +293,10 @@ _PLACES = {
     "read_hbjson": "clerestory.exchange",
     "read_sweep": "clerestory.sweep",
     "run_sweep": "clerestory.sweep",
+    "YearStudy": "clerestory.year",
+    "read_year": "clerestory.year",
+    "run_year": "clerestory.year",
+    "write_year": "clerestory.year",
 }
 
 

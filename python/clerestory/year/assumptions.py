@@ -8,6 +8,7 @@ import xarray as xr
 
 from clerestory.metrics.schedule import ANALYSIS_HOURS
 from clerestory.room.scene import Room
+from clerestory.year.measure import PLACEMENT
 from clerestory.year.study import YearStudy
 from clerestory.year.window_groups import groups_of
 
@@ -74,13 +75,20 @@ def errors_told(results: Mapping[str, xr.Dataset]) -> list[tuple[str, str]]:
     rows = []
     for label, found in results.items():
         error = 100.0 * found["relative_standard_error"]
-        rows.append(
-            (
-                label,
-                f"standard error of a sensor's light over the year: median {float(error.median()):.1f} %, "
-                f"worst {float(error.max()):.1f} %",
-            )
+        words = (
+            f"standard error of a sensor's light over the year: median {float(error.median()):.1f} %, "
+            f"worst {float(error.max()):.1f} %"
         )
+        if "suns_mean_relative_difference" in found.attrs:
+            worst, mean, rms, flips = (
+                float(found.attrs[f"suns_{name}"]) for name in ("worst_sun_offset_deg", *PLACEMENT[:3])
+            )
+            words += (
+                f"; suns at the nearest of fewer places, at most {worst:.1f}° off: on a sample of hours its light "
+                f"of the room differs by {100 * mean:+.1f} % in the mean and {100 * rms:.1f} % hour by hour, and "
+                f"{100 * flips:.1f} % of sensors are in the sun's beam in one and not in the other"
+            )
+        rows.append((label, words))
     return rows
 
 

@@ -12,7 +12,7 @@ import xarray as xr
 from clerestory.provenance import provenance
 from clerestory.year.figures import asked_for, value_of
 
-APART = ("variant", "glazings")
+APART = ("variant", "glazings", "date")
 """Attributes that differ between variants."""
 
 

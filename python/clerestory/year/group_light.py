@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from clerestory.annual_illuminance import annual_illuminance
-from clerestory.annual_sun import annual_sun_coefficients, sunny_directions
+from clerestory.annual_sun import annual_sun_coefficients, sun_placement_difference, sunny_directions
 from clerestory.coefficients import PARTS, daylight_coefficients
 from clerestory.errors import ClerestoryError
 from clerestory.illuminance import daylight_factor
@@ -22,6 +22,9 @@ from clerestory.year.window_groups import lit_through
 
 Step = Callable[[str, float], "bool | None"]
 """Told what is done now and which share of it is done, 0..1; False stops."""
+
+PLACEMENT_HOURS = 24
+"""Size of the sample on which suns at fewer places are compared with the sun's own."""
 
 SKY_SHARE = 0.35
 """Of the time that the light of a group takes, about, the sky's; the rest is the sun's."""
@@ -54,7 +57,7 @@ def group_light(
     Dataset
         That of `annual_illuminance`, single precision, with `daylight_factor` [percent] and
         `relative_standard_error` [1], over "sensor": of the sum over the year, as if the errors of all intervals went
-        the same way.
+        the same way. With suns at fewer places than their own, attributes of `sun_placement_difference`, on a sample.
 
     Raises
     ------
@@ -109,6 +112,12 @@ def group_light(
     result["daylight_factor"] = factor.total
     result["daylight_factor_standard_error"] = factor.total_standard_error
     result["relative_standard_error"] = _relative_error(sky, sun, light)
+    if sun is not None and how.suns != "exact":
+        difference = sun_placement_difference(
+            lit, None, weather, suns=how.suns, hours=PLACEMENT_HOURS, rounds=how.sun_rounds, seed=how.seed
+        )
+        result.attrs |= {name: value for name, value in difference.attrs.items() if name != "suns"}
+        result.attrs["worst_sun_offset_deg"] = float(light["sun_offset_deg"].max())
     step("done", 1.0)
     return result
 
