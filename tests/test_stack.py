@@ -1,6 +1,8 @@
 """Stacks of layers: what each keeps, polarisation between them, gaps, and what is refused."""
 
 import json
+import tomllib
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,6 +22,8 @@ from clerestory import (
     Stack,
 )
 from clerestory.glass import slab
+from clerestory.glazing_table import glazing_tables, write_glazing
+from clerestory.room.toml_table import Table
 
 CLEAR = Medium(n=1.52)
 TINTED = Medium(n=1.52, absorption_per_mm=0.08)
@@ -185,3 +189,14 @@ def test_plain_layers_stack_too():
     assert float(found.layer_absorptance[0, 0, 0]) == pytest.approx(0.5 + found.reflectance.item(), abs=1e-12)
     among = Stack([Slab(refractive_index=1.5, thickness_mm=3.0), PANEL]).angular(elevation_deg=30.0)
     assert account(among).item() == pytest.approx(1.0, abs=1e-9)
+
+
+def test_gaps_stand_among_the_layers_of_a_file():
+    text = '[pane]\nkind = "pane"\nthickness_mm = 4\n[window]\nkind = "stack"\n'
+    text += 'layers = ["pane", { width_mm = 12, gas = "argon" }, "pane"]\n'
+    stack = glazing_tables(Table(tomllib.loads(text), "[glazings]"), Path())("window")
+    assert stack == Stack([Pane(thickness_mm=4), Gap(width_mm=12, gas="argon"), Pane(thickness_mm=4)])
+    assert write_glazing(stack, lambda layer: "pane") == tomllib.loads(text)["window"]
+    wrong = text.replace("width_mm = 12", "width = 12")
+    with pytest.raises(ClerestoryError, match=r"a gap among the layers of .*width"):
+        glazing_tables(Table(tomllib.loads(wrong), "[glazings]"), Path())("window")

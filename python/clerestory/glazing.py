@@ -336,7 +336,7 @@ class Stack:
         Bsdf
             Exact where every layer sends light into beams: averages of the beams of the whole stack, with ``exact`` the
             stack itself. Where a layer spreads light (a BSDF, rough cuts), the matrices of all layers multiplied with
-            all reflections between them, in the bands that every layer has. Layers by formula (``Glass``, ``Slab``, …) do
+            all reflections between them, in the bands that every layer has. Layers by formula (``Glass``, ``Slab``) do
             the same in every band.
 
         Raises
@@ -369,8 +369,8 @@ class Stack:
         wavelength_nm: float | None = None,
         polarisation: Polarisation = "resolved",
         tolerance: float = _TOLERANCE,
-        rings: int = 24,
-        azimuths: int = 24,
+        rings: int = 12,
+        azimuths: int = 16,
     ) -> xr.Dataset:
         """How light divides that comes evenly from the whole hemisphere before a side.
 
@@ -378,7 +378,7 @@ class Stack:
         ----------
         side, wavelength_nm, polarisation, tolerance
             As of :meth:`lobes`.
-        rings, azimuths : int, at least 1, default 24
+        rings, azimuths : int, at least 1, default 12 and 16
             Angles from the normal and about it at which light comes in.
 
         Returns
