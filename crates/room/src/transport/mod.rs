@@ -9,6 +9,7 @@ pub mod coefficients;
 mod density;
 mod estimate;
 mod gather;
+mod importance;
 mod look_out;
 mod nodes;
 mod numbers;

@@ -3,6 +3,7 @@
 //! They serve for planning alone, so what is planned by them stays unbiased.
 
 use super::density::{Cells, NodeDensity};
+use super::importance::weights_of;
 use super::nodes::lit_node;
 use super::numbers::Numbers;
 use super::path::{Found, Vertex};
@@ -43,12 +44,6 @@ const NEAR: usize = 48;
 
 /// A point is taken to matter no more to another than at this form factor \[1/m²\]: directions do better from there on.
 const NEAREST: f64 = 8.0;
-
-/// Share of the nodes that goes by area and what sees it, whatever the brightness: it may have been found dark by chance.
-const EVENLY: f64 = 0.25;
-
-/// Least mattering of what a ray has met, in shares of the mean.
-const LITTLE: f64 = 0.02;
 
 /// An even sky added to the one that errors are judged under, in shares of its mean luminance.
 const ANY_SKY: f64 = 0.2;
@@ -253,58 +248,4 @@ fn per_side(cells: &Cells, tried: &[Tried], property: impl Fn(usize) -> f64) -> 
         squares[*cell][*side] += property(k).powi(2) / f64::from(POINTS);
     }
     squares.into_iter().map(|sides| sides.map(f64::sqrt)).collect()
-}
-
-/// Weights of the sides of the cells: area, times how much it matters, times how bright it is. The best density of points goes with
-/// the root mean square of what they give.
-fn weights_of(
-    walker: &Walker<'_>,
-    cells: &Cells,
-    matters: &[[f64; 2]],
-    met: &[[bool; 2]],
-    bright: &[[f64; 2]],
-) -> Vec<[f64; 2]> {
-    let scene = walker.scene;
-    // of each side of each surface: area seen, brightness and mattering over it
-    let mut sums = vec![[[0.0; 3]; 2]; scene.surfaces.len()];
-    let all = matters.iter().flatten().filter(|m| **m > 0.0);
-    // what a ray has met matters a little, whatever the points say
-    let little = LITTLE * all.clone().sum::<f64>() / (all.count() as f64).max(1.0);
-    for (surface, cell) in cells.each() {
-        for side in [0, 1] {
-            if matters[cell][side] > 0.0 || met[cell][side] {
-                let sum = &mut sums[surface as usize][side];
-                sum[0] += 1.0;
-                sum[1] += matters[cell][side].max(little);
-                sum[2] += bright[cell][side];
-            }
-        }
-    }
-    let mut weight = vec![[0.0; 2]; cells.count()];
-    let (mut all, mut by_brightness) = (0.0, 0.0);
-    for (surface, cell) in cells.each() {
-        for side in [0, 1] {
-            let [seen, matter, light] = sums[surface as usize][side];
-            if seen == 0.0 {
-                continue;
-            }
-            // a cell's few points may mislead: half by them, half by the whole surface
-            let matter = 0.5 * (matters[cell][side] + matter / seen) * cells.area(scene, surface);
-            let light = 0.5 * (bright[cell][side] + light / seen);
-            weight[cell][side] = matter * light;
-            all += matter;
-            by_brightness += matter * light;
-        }
-    }
-    let mean = (by_brightness / f64::max(all, f64::MIN_POSITIVE)).max(f64::MIN_POSITIVE);
-    for (surface, cell) in cells.each() {
-        for side in [0, 1] {
-            let [seen, matter, _] = sums[surface as usize][side];
-            if seen > 0.0 {
-                let matter = 0.5 * (matters[cell][side] + matter / seen) * cells.area(scene, surface);
-                weight[cell][side] = (1.0 - EVENLY) * weight[cell][side] + EVENLY * mean * matter;
-            }
-        }
-    }
-    weight
 }
