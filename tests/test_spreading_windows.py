@@ -42,7 +42,7 @@ def test_pane_as_a_klems_matrix_is_the_pane_within_its_blur():
     ratio = (blurred.sky_illuminance / clear.sky_illuminance).values
     assert (blurred.sky_illuminance_standard_error / blurred.sky_illuminance).values.max() < 0.01
     assert np.abs(ratio - 1.0).max() < 0.06
-    # the sun's patch becomes a blot wider than its beam: what all the floor gets is the same, as none of it meets a wall
+    # the sun's patch becomes a blot wider than its beam: all the floor gets the same, as none of it meets a wall
     floor = [[x, y, 0.01] for x in np.arange(0.1, 4, 0.2) for y in np.arange(0.05, 5, 0.1)]
     whole = Sensors(name="floor", points_m=floor, normals=[[0, 0, 1]] * len(floor))
     direct = [
@@ -62,5 +62,6 @@ def test_rough_panel_needs_its_bsdf_for_the_sun_and_has_it():
     found = sun_coefficients(room(rough.bsdf().blurred()), sensors, rounds=8, **SUNS)
     value, error = by_parts(found, ("direct", "interreflected"))
     # some of its light goes up to the ceiling at once
-    assert (found.direct.values > 4 * found.direct_standard_error.values).all() and (error < 0.2 * value).all()
+    assert (found.direct.values > 4 * found.direct_standard_error.values).all()
+    assert (error < 0.2 * value).all()
     assert (found.redirected.values == 0.0).all()

@@ -24,6 +24,7 @@ mod sky;
 mod spread;
 pub mod sun;
 mod suns;
+mod through;
 mod walk;
 
 /// Which way light took from the sky to the sensor.

@@ -1,17 +1,16 @@
 //! One path, followed from where its light is wanted until it ends in the sky or is absorbed (theory/room.md, eqs. 3–9).
 
-use super::look_out::Sight;
 use super::nodes::Layer;
 use super::numbers::Event;
 use super::path::{Came, Light, Path, State, Techniques, Vertex};
 use super::portals::Portals;
-use super::spread::Looked;
+use super::through::Met;
 use super::{Entry, Part};
 use crate::scene::Scene;
 use crate::surface::{Kind, Medium};
 use crate::tracer::Ray;
 use hemisphere::{Direction, Frame, Vec3};
-use optics::{Interface, Scattered, Split};
+use optics::{Interface, Split};
 use std::f64::consts::PI;
 
 /// Follows paths in a scene.
@@ -166,58 +165,10 @@ impl Walker<'_> {
                     state.came = Came::Specular;
                 }
                 Kind::Window { glazing, frame } => {
-                    let incident = Direction::from_unit(frame.inward(direction));
-                    let straight = glazing.straight(incident);
-                    // from the room, points on the window find it as well
-                    let share = match &state.came {
-                        Came::Scattered { cos, techniques } if incident.z < 0.0 => {
-                            let sight =
-                                Sight { facet: hit.facet, from: origin, direction, distance: hit.distance, cos: *cos };
-                            sight.share_of_directions(self, techniques, straight.is_some())
-                        }
-                        _ => 1.0,
-                    };
-                    let kept = match self.light {
-                        Light::Sky(_) => share,
-                        // of the suns, only what the window spreads
-                        Light::Suns(suns) => {
-                            let State { bounces, redirected, .. } = state;
-                            let looked = Looked { facet: hit.facet, point, direction, bounces, redirected };
-                            suns.glow(self, &looked, state.beta * share, path);
-                            1.0
-                        }
-                    };
-                    let leaves = match straight {
-                        // a sensor's own few directions go both ways
-                        Some(straight) if state.came.is_sensor() => {
-                            state.beta *= kept;
-                            let beta = state.beta * straight.transmittance;
-                            let ray = Ray { origin: point, direction, leaving: hit.facet };
-                            self.follow(
-                                State { ray, beta, came: Came::Specular, medium: Medium::AIR, ..state },
-                                &mut path.branch(),
-                            );
-                            state.beta *= straight.reflectance;
-                            direction - 2.0 * cos_facet * facet.normal
-                        }
-                        _ => {
-                            let [u, v] = event.start();
-                            let u = [u, v, path.numbers.rng.uniform()];
-                            let Scattered::Leaves { direction: leaves, total_reflections } =
-                                glazing.scatter(incident, u)
-                            else {
-                                return;
-                            };
-                            // only a sensor's window points follow what turns back: more would multiply
-                            if leaves.z < 0.0 || state.came.is_sensor() {
-                                state.beta *= kept;
-                            }
-                            state.redirected |= total_reflections > 0;
-                            frame.outward(*leaves)
-                        }
-                    };
-                    state.ray = Ray { origin: point, direction: leaves, leaving: hit.facet };
-                    state.came = Came::Specular;
+                    let met = Met { facet: hit.facet, point, distance: hit.distance };
+                    if !self.meet_window(&mut state, &met, &**glazing, frame, &event, path) {
+                        return;
+                    }
                 }
                 Kind::Interface { front, back } => {
                     let (here, beyond) = if cos_facet < 0.0 { (*front, *back) } else { (*back, *front) };
