@@ -49,6 +49,11 @@ def test_holidays_and_spans():
     assert used.loc["2023-01-11"].sum() == 8
 
 
+def test_the_end_of_a_span_does_not_count():
+    day = occupied_hours(YEAR[24:48], Schedule(hours=("08:30-16:30",)))
+    assert np.flatnonzero(day).tolist() == list(range(8, 16))
+
+
 def test_a_typical_year_has_the_calendar_it_is_given():
     # 1 January 2023 is a Sunday, that of 2024 a Monday
     january = YEAR[:24]

@@ -79,14 +79,12 @@ def errors_told(results: Mapping[str, xr.Dataset]) -> list[tuple[str, str]]:
             f"standard error of a sensor's light over the year: median {float(error.median()):.1f} %, "
             f"worst {float(error.max()):.1f} %"
         )
-        if "suns_mean_relative_difference" in found.attrs:
-            worst, mean, rms, flips = (
-                float(found.attrs[f"suns_{name}"]) for name in ("worst_sun_offset_deg", *PLACEMENT[:3])
-            )
+        if f"suns_{PLACEMENT[0]}" in found.attrs:
+            worst, median, flips = (float(found.attrs[f"suns_{name}"]) for name in PLACEMENT)
             words += (
-                f"; suns at the nearest of fewer places, at most {worst:.1f}° off: on a sample of hours its light "
-                f"of the room differs by {100 * mean:+.1f} % in the mean and {100 * rms:.1f} % hour by hour, and "
-                f"{100 * flips:.1f} % of sensors are in the sun's beam in one and not in the other"
+                f"; suns at the nearest of fewer places, at most {worst:.1f}° off: on a sample of hours the "
+                f"sun's light of the room differs by {100 * median:.1f} % in the median hour, and {100 * flips:.1f} % "
+                "of sensors are in the sun's beam in one and not in the other"
             )
         rows.append((label, words))
     return rows

@@ -16,7 +16,7 @@ from clerestory.weather.light import diffuse_horizontal_illuminance_lx
 from clerestory.year.settings import Measures
 from clerestory.year.study import YearStudy
 
-PLACEMENT = ("mean_relative_difference", "rms_relative_difference", "share_of_flips", "worst_sun_offset_deg")
+PLACEMENT = ("worst_sun_offset_deg", "median_relative_difference", "share_of_flips")
 """What suns at fewer places than their own make of a difference."""
 
 SERIES = ("mean", "least")
@@ -82,10 +82,10 @@ def measured(study: YearStudy, label: str, groups: Mapping[str, xr.Dataset]) -> 
     result["relative_standard_error"] = error.assign_attrs(
         units="1", long_name="relative standard error of the year's illuminance"
     )
-    placed = [one.attrs for one in groups.values() if "mean_relative_difference" in one.attrs]
+    placed = [one.attrs for one in groups.values() if "median_relative_difference" in one.attrs]
     if placed:
         # the group that the choice of suns changes most
-        most = max(placed, key=lambda one: abs(one["mean_relative_difference"]))
+        most = max(placed, key=lambda one: float(one["median_relative_difference"]))
         result.attrs |= {f"suns_{name}": most[name] for name in PLACEMENT}
     return result.assign_coords(local_time=occupied["in_use"]["local_time"])
 
