@@ -19,6 +19,10 @@ PYTHON = os.path.join(SCRIPTS, "python.exe" if os.name == "nt" else "python")
 PACKAGE = os.path.join(ROOT, "python", "clerestory")
 PYTHON_NEEDED = (3, 11)
 RUST_NEEDED = (1, 85)
+NODE_NEEDED = 18
+#: The studio's page: what it is made from, and where it lies in the package.
+STUDIO = os.path.join(ROOT, "studio")
+PAGE = os.path.join(PACKAGE, "studio", "page")
 
 
 def stop(message):
@@ -166,13 +170,59 @@ def native_module():
     return [(name, os.stat(os.path.join(PACKAGE, name)).st_mtime_ns) for name in found]
 
 
+def page_sources():
+    """Every file the studio's page is built from, and its bytes."""
+    paths = []
+    for folder, folders, files in os.walk(STUDIO):
+        folders[:] = sorted(name for name in folders if name != "node_modules")
+        paths += [os.path.join(folder, name) for name in sorted(files)]
+    return [(os.path.relpath(path, ROOT), hashlib.sha256(read(path)).hexdigest()) for path in paths]
+
+
+def page_files():
+    """The built page as it lies in the package: names and sizes."""
+    found = []
+    for folder, folders, files in os.walk(PAGE):
+        folders.sort()
+        paths = [os.path.join(folder, name) for name in sorted(files)]
+        found += [(os.path.relpath(path, PAGE), os.path.getsize(path)) for path in paths]
+    return found
+
+
+def build_page():
+    """The studio's page, from locked packages whose own scripts do not run."""
+    print("clerestory: building the studio's page", flush=True)
+    npm = [shutil.which("npm"), "--silent", "--prefix", STUDIO]
+    for command in (
+        ["ci", "--ignore-scripts", "--no-audit", "--no-fund"],
+        ["run", "build", "--", "--logLevel", "warn"],
+    ):
+        code = subprocess.call(npm + command, cwd=STUDIO, stdin=subprocess.DEVNULL)
+        if code != 0:
+            raise RuntimeError(f"npm {command[0]} ended with {code}")
+
+
+def prepare_page():
+    """The studio's page if Node.js is there; all else works without."""
+    version = re.match(r"v(\d+)\.", said_by("node", "--version") or "")
+    if version is None or int(version.group(1)) < NODE_NEEDED or shutil.which("npm") is None:
+        if not page_files():
+            print("clerestory: no page for `clerestory studio`: Node.js 18 or newer with npm builds it", flush=True)
+        return
+    try:
+        once("page", page_sources(), build_page, page_files)
+    except (OSError, RuntimeError) as error:
+        print(f"clerestory: no new page for `clerestory studio`: {error}; all else works without", flush=True)
+
+
 def prepare():
-    """Environment, packages and native module, as far as they are not there yet."""
+    """Environment, packages, native module and the studio's page, as far as they are not there yet."""
     rust = check_tools()
     if said_by(PYTHON, "-c", "import pip, sys; sys.exit(sys.version_info < (3, 11))") is None:
         make_environment()
     once("packages", read(os.path.join(ROOT, "requirements", "lock.txt")), lambda: install("requirements/lock.txt"))
     once("native", (ROOT, rust, os.environ.get("RUSTFLAGS"), cargo_variables(), rust_sources()), build, native_module)
+    prepare_page()
 
 
 def run():
@@ -228,6 +278,8 @@ def clean():
     """Removes what was made here: .venv, target, out, dist and caches."""
     for name in (".venv", "target", "out", "dist", ".pytest_cache", ".ruff_cache", ".mypy_cache", ".hypothesis"):
         shutil.rmtree(os.path.join(ROOT, name), ignore_errors=True)
+    for folder in (PAGE, os.path.join(STUDIO, "node_modules")):
+        shutil.rmtree(folder, ignore_errors=True)
     for name, _ in native_module():
         os.remove(os.path.join(PACKAGE, name))
 

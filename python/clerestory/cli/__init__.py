@@ -9,6 +9,7 @@ from clerestory.cli.doctor import doctor
 from clerestory.cli.one_line import OneLineGroup
 from clerestory.cli.panel import panel
 from clerestory.cli.room import room
+from clerestory.cli.studio import studio
 from clerestory.cli.sweep import sweep
 from clerestory.cli.weather import weather
 from clerestory.cli.year import year
@@ -28,6 +29,7 @@ app.add_typer(bsdf, name="bsdf")
 app.command("room")(room)
 app.command("sweep")(sweep)
 app.command("design")(design)
+app.command("studio")(studio)
 app.command("convert")(convert)
 app.command("weather")(weather)
 app.command("year")(year)

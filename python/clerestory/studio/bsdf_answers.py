@@ -1,0 +1,95 @@
+"""What the page draws of a BSDF: its findings, discs and cuts."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from clerestory.bsdf import Bsdf, KlemsBlock, klems_basis
+from clerestory.bsdf.cells import outgoing_cells, patch_outline
+from clerestory.bsdf.summary import summary
+from clerestory.plots.bsdf_incidence import Side, picked
+from clerestory.rules import within
+from clerestory.studio.bsdf_shelf import Opened
+
+#: Digits of outlines, whose radius is 90.
+_DIGITS = 2
+#: Directions of a cut.
+_CUT_STEPS = 721
+
+
+def told(key: str, opened: Opened) -> dict[str, Any]:
+    """Product, shares, what was assumed and what may be wrong."""
+    findings = [{"severity": one.severity, "where": one.where, "text": one.text} for one in opened.bsdf.check()]
+    return {"key": key, **summary(opened.bsdf), "assumed": list(opened.assumed), "findings": findings}
+
+
+def discs(bsdf: Bsdf, *, elevation_deg: Any, azimuth_deg: Any, side: Side, band: str) -> dict[str, Any]:
+    """The incident disc and, for one incidence, the outgoing ones.
+
+    Returns
+    -------
+    dict
+        ``incident``: ``cells`` (outlines, the angle from the normal as distance from the middle, in degrees) and
+        ``values`` (share of each incidence that passes or comes back, of the first block); ``picked``, the patch;
+        ``point``, where the light travels; ``outgoing``: for each block its ``word``, ``cells``, ``values`` [1/sr] and
+        the ``share`` of the power that leaves.
+    """
+    blocks, point = picked(bsdf, band, side, elevation_deg, azimuth_deg)
+    first, block = next(iter(blocks.items()))
+    basis = block.incident if isinstance(block, KlemsBlock) else klems_basis("klems_full")
+    outgoing = []
+    for word, one in blocks.items():
+        cells, values = outgoing_cells(one, point)
+        outgoing.append(
+            {
+                "word": word,
+                "cells": [_spread(cell) for cell in cells],
+                "values": values,
+                "share": float(one.hemispherical_at(point)),
+            }
+        )
+    return {
+        "incident": {
+            "word": first,
+            "cells": [_spread(patch_outline(basis, patch)) for patch in range(len(basis))],
+            "values": block.hemispherical_at(basis.centre),
+        },
+        "picked": int(basis.find(point[0], point[1])),
+        "point": _spread(point[None])[0],
+        "outgoing": outgoing,
+    }
+
+
+def cut(bsdf: Bsdf, *, elevation_deg: Any, azimuth_deg: Any, side: Side, band: str, plane_deg: Any) -> dict[str, Any]:
+    """The light of one incidence in a plane through the normal, turned from the vertical by ``plane_deg``."""
+    blocks, point = picked(bsdf, band, side, elevation_deg, azimuth_deg)
+    tilt = np.radians(within("plane_deg", plane_deg, -90.0, 90.0))
+    along = np.array([np.sin(tilt), np.cos(tilt)])
+    angle_deg = np.linspace(-89.9, 89.9, _CUT_STEPS)
+    xy = np.sin(np.radians(angle_deg))[:, None] * along
+    return {
+        "angle_deg": angle_deg,
+        "from_deg": float(np.degrees(np.arcsin(np.clip(-point @ along, -1.0, 1.0)))),
+        "curves": [{"word": word, "values": block.at(point, xy)} for word, block in blocks.items()],
+    }
+
+
+def incidence_of(x: Any, y: Any) -> dict[str, float]:
+    """Where light comes from that travels along a point of a disc (degrees from the middle, right and up)."""
+    right, up = within("x", x, -90.0, 90.0), within("y", y, -90.0, 90.0)
+    angle = np.radians(min(float(np.hypot(right, up)), 89.9))
+    turn = np.arctan2(up, right)
+    sx, sy, sz = np.sin(angle) * np.cos(turn), np.sin(angle) * np.sin(turn), np.cos(angle)
+    return {
+        "elevation_deg": float(np.degrees(np.arcsin(-sy))),
+        "azimuth_deg": float(np.degrees(np.arctan2(sx, sz))),
+    }
+
+
+def _spread(xy: np.ndarray[Any, np.dtype[np.float64]]) -> Any:
+    """(x, y) of directions with their angle from the normal as distance from the middle [degrees]."""
+    sine = np.hypot(xy[:, 0], xy[:, 1])
+    angle = np.degrees(np.arcsin(np.minimum(sine, 1.0)))
+    return np.round(xy * np.where(sine > 0.0, angle / np.where(sine > 0.0, sine, 1.0), 1.0)[:, None], _DIGITS)

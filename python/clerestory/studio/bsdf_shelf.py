@@ -1,0 +1,90 @@
+"""BSDFs that the page has opened, kept while they are looked at."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import tempfile
+import threading
+import warnings
+from collections import OrderedDict
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from clerestory.bsdf import Bsdf, BsdfWarning
+from clerestory.bsdf.reading import read_bsdf
+from clerestory.errors import ClerestoryError
+from clerestory.rules import one_of
+
+#: BSDFs kept at once; the one looked at longest ago goes first.
+_KEPT = 12
+
+
+@dataclass(frozen=True, eq=False)
+class Opened:
+    """A BSDF and what its reader had to assume."""
+
+    bsdf: Bsdf
+    assumed: tuple[str, ...] = ()
+
+
+class Shelf:
+    """A few opened BSDFs by a key that the same content always has."""
+
+    def __init__(self) -> None:
+        self._opened: OrderedDict[str, Opened] = OrderedDict()
+        self._lock = threading.Lock()
+
+    def put(self, key: str, opened: Opened) -> str:
+        """Keeps a BSDF."""
+        with self._lock:
+            self._opened[key] = opened
+            self._opened.move_to_end(key)
+            while len(self._opened) > _KEPT:
+                self._opened.popitem(last=False)
+        return key
+
+    def get(self, key: Any) -> Opened:
+        """The BSDF of a key.
+
+        Raises
+        ------
+        ClerestoryError
+            If it is not kept (any more).
+        """
+        with self._lock:
+            found = self._opened.get(key) if isinstance(key, str) else None
+            if found is None:
+                raise ClerestoryError("key must be that of a BSDF that is open: open the file again")
+            self._opened.move_to_end(key)
+            return found
+
+    def read(self, content: bytes, name: str) -> str:
+        """Reads a file's content and keeps it; even one whose numbers cannot be, so that its faults can be told.
+
+        Raises
+        ------
+        ClerestoryError
+            If it is no BSDF; the message begins with the name of the file.
+        """
+        shown = re.sub(r"[^\w.() -]", "_", Path(name.replace("\\", "/")).name)[-100:] or "file.xml"
+        one_of("the ending of a BSDF's file", Path(shown).suffix.lower(), (".xml", ".nc"))
+        key = hashlib.sha256(content).hexdigest()[:20]
+        with tempfile.TemporaryDirectory(prefix="clerestory-") as folder:
+            path = Path(folder) / shown
+            path.write_bytes(content)
+            try:
+                opened = opened_from(path)
+            except ClerestoryError as error:
+                raise ClerestoryError(str(error).replace(str(path), shown)) from None
+        told = tuple(text.replace(str(path), shown) for text in opened.assumed)
+        return self.put(key, Opened(opened.bsdf, told))
+
+
+def opened_from(path: Path) -> Opened:
+    """The BSDF of a file, with what was assumed."""
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always", BsdfWarning)
+        bsdf = read_bsdf(path, strict=False)
+    return Opened(bsdf, tuple(str(one.message) for one in told if issubclass(one.category, BsdfWarning)))

@@ -1,0 +1,140 @@
+// Questions to the server: one at a time each, the newest alone; and jobs that are followed as they go.
+
+export interface Fault {
+  field: string | null;
+  message: string;
+}
+
+export class Refused extends Error {
+  constructor(readonly faults: Fault[]) {
+    super(faults.map((fault) => fault.message).join("; "));
+  }
+}
+
+export async function ask<T>(path: string, body: unknown = {}): Promise<T> {
+  return (await asked(path, { method: "POST", body: JSON.stringify(body), headers: { "content-type": "application/json" } })).json();
+}
+
+export async function askText(path: string, body: unknown): Promise<string> {
+  return (await asked(path, { method: "POST", body: JSON.stringify(body), headers: { "content-type": "application/json" } })).text();
+}
+
+export async function send<T>(path: string, file: Blob): Promise<T> {
+  return (await asked(path, { method: "POST", body: file })).json();
+}
+
+async function asked(path: string, how: RequestInit): Promise<Response> {
+  let answer: Response;
+  try {
+    answer = await fetch(path, how);
+  } catch {
+    throw new Refused([{ field: null, message: "offline" }]);
+  }
+  if (answer.ok) return answer;
+  let faults: Fault[];
+  try {
+    faults = (await answer.json()).errors;
+  } catch {
+    faults = [{ field: null, message: `${answer.status} ${answer.statusText}` }];
+  }
+  throw new Refused(faults);
+}
+
+/** Asks the newest question only: while one is on its way, all but the last of those that come are dropped. */
+export class Channel<T> {
+  private busy = false;
+  private next: [string, unknown] | null = null;
+  private isOpen = true;
+
+  constructor(
+    private readonly got: (answer: T) => void,
+    private readonly failed: (fault: Refused) => void,
+  ) {}
+
+  put(path: string, body: unknown) {
+    this.next = [path, body];
+    if (!this.busy) void this.run();
+  }
+
+  close() {
+    this.isOpen = false;
+    this.next = null;
+  }
+
+  private async run() {
+    this.busy = true;
+    while (this.next && this.isOpen) {
+      const [path, body] = this.next;
+      this.next = null;
+      try {
+        const answer = await ask<T>(path, body);
+        if (this.isOpen) this.got(answer);
+      } catch (fault) {
+        if (this.isOpen) this.failed(fault as Refused);
+        // a server that is gone may come back: the same question is asked again unless a newer one has come
+        if (this.isOpen && !this.next && (fault as Refused).faults?.[0]?.message === "offline") {
+          await new Promise((done) => setTimeout(done, 1000));
+          this.next ??= [path, body];
+        }
+      }
+    }
+    this.busy = false;
+  }
+}
+
+export interface JobState<T> {
+  job: string;
+  state: "waiting" | "running" | "done" | "failed" | "cancelled";
+  done: number;
+  total: number;
+  partial: T | null;
+  result: T | null;
+  errors: Fault[];
+}
+
+/** A job that is started, followed and, once nobody wants it, cancelled. */
+export class Work<T> {
+  private key = "";
+  private source: EventSource | null = null;
+  private wanted = true;
+
+  constructor(
+    body: Record<string, unknown>,
+    private readonly heard: (state: JobState<T>) => void,
+    private readonly failed: (fault: Refused) => void,
+  ) {
+    void this.start(body);
+  }
+
+  private async start(body: Record<string, unknown>) {
+    try {
+      const first = await ask<JobState<T>>("/api/jobs", body);
+      this.key = first.job;
+      if (!this.wanted) return this.end();
+      this.heard(first);
+      this.source = new EventSource(`/api/jobs/${this.key}/events`);
+      this.source.onmessage = (event) => {
+        const state = JSON.parse(event.data) as JobState<T>;
+        if (state.state === "done" || state.state === "failed" || state.state === "cancelled") this.source?.close();
+        if (!this.wanted) return;
+        if (state.state === "failed") this.failed(new Refused(state.errors));
+        this.heard(state);
+      };
+      this.source.onerror = () => {
+        if (this.source?.readyState === EventSource.CLOSED && this.wanted) this.failed(new Refused([{ field: null, message: "offline" }]));
+      };
+    } catch (fault) {
+      if (this.wanted) this.failed(fault as Refused);
+    }
+  }
+
+  cancel() {
+    this.wanted = false;
+    this.end();
+  }
+
+  private end() {
+    this.source?.close();
+    if (this.key) void fetch(`/api/jobs/${this.key}`, { method: "DELETE" }).catch(() => undefined);
+  }
+}

@@ -1,0 +1,54 @@
+// Colours that are told apart without telling hues apart.
+
+type Stop = readonly [number, number, number];
+
+// cividis at sevenths (J. R. Nuñez, C. R. Anderton, R. S. Renslow, PLOS ONE 13(7), 2018)
+const CIVIDIS: Stop[] = [
+  [0, 34, 78],
+  [33, 59, 110],
+  [76, 85, 108],
+  [108, 110, 114],
+  [142, 137, 120],
+  [177, 165, 112],
+  [217, 197, 92],
+  [254, 232, 56],
+];
+const PALE_TO_DEEP: Stop[] = [
+  [255, 240, 184],
+  [255, 224, 138],
+  [255, 191, 46],
+  [245, 138, 0],
+  [214, 90, 0],
+];
+const DIM_TO_BRIGHT: Stop[] = [
+  [84, 54, 14],
+  [140, 82, 10],
+  [205, 122, 10],
+  [255, 183, 51],
+  [255, 240, 190],
+];
+
+function between(stops: Stop[], share: number): string {
+  const at = Math.min(Math.max(share, 0), 1) * (stops.length - 1);
+  const low = Math.min(Math.floor(at), stops.length - 2);
+  const mixed = stops[low].map((value, k) => Math.round(value + (stops[low + 1][k] - value) * (at - low)));
+  return `rgb(${mixed.join(",")})`;
+}
+
+export const cividis = (share: number): string => between(CIVIDIS, share);
+
+/** Of a beam, by the logarithm of its share from 1 % to all. */
+export function ofBeam(power: number, isDark: boolean): string {
+  const share = 1 + Math.log10(Math.max(power, 0.005)) / 2;
+  return between(isDark ? DIM_TO_BRIGHT : PALE_TO_DEEP, share);
+}
+
+/** Okabe and Ito's colours, for lines and bars. */
+export const HUES: Record<string, string> = {
+  transmittance_deflected: "#E69F00",
+  transmittance_undeflected: "#56B4E9",
+  reflectance: "#009E73",
+  absorptance: "#8a8f98",
+  residual: "#CC79A7",
+  transmittance: "#0072B2",
+};

@@ -1,0 +1,114 @@
+"""Long jobs: what they find, how they are followed, how soon they end."""
+
+import json
+import time
+from typing import Any
+
+import numpy as np
+
+from clerestory import panel_from_dict
+
+IDEAL = {"kind": "laser-cut", "spacing_mm": 6.0, "thickness_mm": 5.0}
+SLOW = IDEAL | {"cut_width_mm": 0.31, "cut_tilt_deg": 7.3}
+
+
+def ended(client: Any, key: str) -> list[dict[str, Any]]:
+    """Every event of a job until it is over."""
+    told = []
+    with client.stream("GET", f"/api/jobs/{key}/events") as stream:
+        assert stream.headers["content-type"].startswith("text/event-stream")
+        for line in stream.iter_lines():
+            if line.startswith("data: "):
+                told.append(json.loads(line[6:]))
+    return told
+
+
+def started(client: Any, **asked: Any) -> str:
+    answer = client.post("/api/jobs", json=asked)
+    assert answer.status_code == 200, answer.text
+    return answer.json()["job"]
+
+
+def test_deflection_against_elevation_is_that_of_the_api(client: Any) -> None:
+    events = ended(client, started(client, kind="angular", panel=IDEAL, azimuth_deg=20.0))
+    assert events[-1]["state"] == "done"
+    found = events[-1]["result"]
+    assert len(found["elevation_deg"]) == 89
+    table = panel_from_dict(IDEAL).angular(elevation_deg=found["elevation_deg"], azimuth_deg=20.0)
+    for name in ("transmittance", "transmittance_deflected", "reflectance", "absorptance"):
+        np.testing.assert_allclose(found[name], table[name].values.ravel(), atol=1e-12)
+    done = [event["done"] for event in events]
+    assert done == sorted(done)
+
+
+def test_dispersion_is_that_of_the_api(client: Any) -> None:
+    prism = {"kind": "prismatic", "pitch_mm": 2.0, "lower_deg": 45.0, "upper_deg": 80.0, "base_mm": 3.0}
+    events = ended(client, started(client, kind="dispersion", panel=prism, elevation_deg=40.0))
+    beams = events[-1]["result"]["beams"]
+    at = {beam["wavelength_nm"] for beam in beams}
+    # the medium is known from 420 nm
+    assert (min(at), max(at)) == (425, 700)
+    lobes = panel_from_dict(prism).lobes(elevation_deg=40.0, wavelength_nm=500.0)
+    own = sorted(beam["elevation_deg"] for beam in beams if beam["wavelength_nm"] == 500)
+    np.testing.assert_allclose(own, sorted(lobes["elevation_deg"].values[lobes["power"].values >= 1e-3]))
+
+
+def test_the_klems_disc_of_a_panel_is_its_bsdf(client: Any) -> None:
+    key = ended(client, started(client, kind="klems", panel=IDEAL))[-1]["result"]["key"]
+    own = panel_from_dict(IDEAL).bsdf().visible.transmission_front
+    discs = client.post("/api/bsdf/discs", json={"key": key, "elevation_deg": 40.0}).json()
+    np.testing.assert_allclose(discs["incident"]["values"], own.hemispherical(), rtol=1e-12)
+    np.testing.assert_allclose(discs["outgoing"][0]["values"], own.values[:, discs["picked"]], rtol=1e-12)
+    assert b"LBNL/Klems Full" in client.post("/api/bsdf/xml", json={"key": key}).content
+
+
+def test_a_cancelled_job_stops_within_a_second_and_the_next_one_runs(client: Any) -> None:
+    key = started(client, kind="angular", panel=SLOW)
+    late = time.monotonic() + 30.0
+    while client.get(f"/api/jobs/{key}").json()["done"] < 1 and time.monotonic() < late:
+        time.sleep(0.05)
+    processes = [one for one in client.app.state.jobs.processes() if one.is_alive]
+    assert processes
+    before = time.monotonic()
+    assert client.delete(f"/api/jobs/{key}").json()["state"] == "cancelled"
+    while any(one.is_alive for one in processes) and time.monotonic() < before + 5.0:
+        time.sleep(0.01)
+    assert time.monotonic() - before < 1.0
+    assert ended(client, key)[-1]["state"] == "cancelled"
+    assert ended(client, started(client, kind="angular", panel=IDEAL))[-1]["state"] == "done"
+
+
+def test_what_is_wrong_is_told_before_a_job_waits(client: Any) -> None:
+    answer = client.post("/api/jobs", json={"kind": "angular", "panel": IDEAL | {"cut_width_mm": 9}})
+    assert (answer.status_code, answer.json()["errors"][0]["field"]) == (422, "cut_width_mm")
+    answer = client.post("/api/jobs", json={"kind": "mining"})
+    assert (answer.status_code, answer.json()["errors"][0]["field"]) == (422, "kind")
+    assert client.get("/api/jobs/none").status_code == 404
+    assert client.delete("/api/jobs/none").status_code == 404
+    assert client.get("/api/jobs/none/events").status_code == 404
+
+
+def test_what_is_wrong_within_a_job_is_told_beside_its_field(client: Any) -> None:
+    rough = IDEAL | {"cut_slope_deg": 2.0}
+    last = ended(client, started(client, kind="angular", panel=rough))[-1]
+    assert last["state"] == "failed"
+    assert "monte_carlo" in last["errors"][0]["message"]
+
+
+def test_a_short_question_does_not_wait_for_a_long_job(client: Any) -> None:
+    key = started(client, kind="angular", panel=SLOW)
+    before = time.monotonic()
+    assert client.post("/api/panel/section", json={"panel": IDEAL, "elevation_deg": 33.0}).status_code == 200
+    assert time.monotonic() - before < 1.0
+    assert client.get(f"/api/jobs/{key}").json()["state"] != "done"
+    client.delete(f"/api/jobs/{key}")
+
+
+def test_jobs_in_line_are_few(client: Any) -> None:
+    most = client.app.state.jobs.most_jobs
+    keys = [started(client, kind="angular", panel=SLOW) for _ in range(most)]
+    answer = client.post("/api/jobs", json={"kind": "angular", "panel": SLOW})
+    assert answer.status_code == 422
+    assert "at most" in answer.json()["errors"][0]["message"]
+    for key in keys:
+        client.delete(f"/api/jobs/{key}")
