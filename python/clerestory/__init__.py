@@ -66,7 +66,7 @@ if TYPE_CHECKING:
     from clerestory.site import Site
     from clerestory.sky import CieSky, PerezSky, sky_basis
     from clerestory.sun import sun_position
-    from clerestory.sun_coefficients import sun_coefficients
+    from clerestory.sun_coefficients import SunWarning, sun_coefficients
     from clerestory.sunlight import direct_normal_illuminance_lx
     from clerestory.sweep import read_sweep, run_sweep
     from clerestory.weather import (
@@ -123,6 +123,7 @@ __all__ = [
     "Site",
     "Slab",
     "Stack",
+    "SunWarning",
     "Surface",
     "TreeBlock",
     "TregenzaSharples",
@@ -280,6 +281,7 @@ _PLACES = {
     "PerezSky": "clerestory.sky",
     "sky_basis": "clerestory.sky",
     "sun_position": "clerestory.sun",
+    "SunWarning": "clerestory.sun_coefficients",
     "sun_coefficients": "clerestory.sun_coefficients",
     "direct_normal_illuminance_lx": "clerestory.sunlight",
     "Weather": "clerestory.weather",

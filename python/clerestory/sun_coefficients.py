@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+import warnings
 from collections.abc import Iterable
 from typing import Any
 
@@ -16,6 +17,10 @@ from clerestory.provenance import provenance
 from clerestory.room.scene import Room
 from clerestory.room.sensors import SensorGrid, Sensors
 from clerestory.sun import direction_of
+
+
+class SunWarning(UserWarning):
+    """A way of the sun into the room that is not looked for."""
 
 
 def sun_coefficients(
@@ -53,6 +58,11 @@ def sun_coefficients(
         If the room is wrong, a sun is below the horizon, or a window's light has no definite directions, as a rough
         panel's: fill the window with its ``panel.bsdf().blurred()``.
 
+    Warns
+    -----
+    SunWarning
+        If the room has mirrors or boundaries between media: the sun by way of them is not looked for.
+
     Notes
     -----
     The panel's exact lobes say in which few directions the light of one sun enters; each is followed with the disc of
@@ -74,6 +84,15 @@ def sun_coefficients(
             "leave the night out"
         )
     placed = room.sensor_points(sensors)
+    unseen = _unseen(room)
+    if unseen:
+        warnings.warn(
+            f"the sun by way of {unseen[0]} is not looked for and is missing from the result"
+            + (f" (so it is for {len(unseen) - 1} more)" if len(unseen) > 1 else "")
+            + ": give mirrors a diffuse reflectance, or put what bends light into a window as a panel",
+            SunWarning,
+            stacklevel=2,
+        )
     started = time.process_time()
     traced = _native.sun_coefficients(
         room.scene,
@@ -107,3 +126,10 @@ def sun_coefficients(
             cpu_seconds=time.process_time() - started,
         ),
     )
+
+
+def _unseen(room: Room) -> list[str]:
+    """What could turn the sun's light towards a sensor but is not followed."""
+    materials = [(one.name, one.material) for one in room.surfaces] + [(one.name, one.material) for one in room.meshes]
+    mirrors = [f"mirror {name!r}" for name, material in materials if material.specular_reflectance > 0.0]
+    return mirrors + [f"interface {one.name!r}" for one in room.interfaces]

@@ -26,6 +26,8 @@ ARC_CHORDS = 32
 MOST_PIECES = 1_000_000
 #: The same for a window, which is asked for thousands of directions; beams of kerfs and odd angles are good to 6·10⁻⁴.
 WINDOW_PIECES = 100_000
+#: The same for the share that may stay unfollowed: a sun through a window is at most this much too weak.
+WINDOW_TOLERANCE = 1e-4
 
 
 def whole(name: str, value: Any, least: int) -> int:

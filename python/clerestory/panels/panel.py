@@ -82,14 +82,18 @@ class Panel:
         return _made_again, (type(self), self.arguments)
 
     def glazing(self) -> _native.Glazing:
-        """The panel as what fills a window: polarisation resolved, daylight as the eye weighs it, arcs as chords."""
-        from clerestory.panels.optics import WINDOW_PIECES, exact_optics
+        """The panel as what fills a window: polarisation resolved, daylight as the eye weighs it, arcs as chords.
+
+        Beams follow all but 1e-4 of the light, so that thousands of suns are affordable; :meth:`lobes` follows as much
+        as is asked.
+        """
+        from clerestory.panels.optics import WINDOW_PIECES, WINDOW_TOLERANCE, exact_optics
 
         optics, _ = exact_optics(
             self,
             wavelength_nm=None,
             polarisation="resolved",
-            tolerance=TOLERANCE,
+            tolerance=WINDOW_TOLERANCE,
             arc_chords=ARC_CHORDS,
             most_pieces=WINDOW_PIECES,
         )
