@@ -6,7 +6,7 @@ import { ask, askText, type Fault, Refused, send } from "./ask";
 import { DrawCut } from "./draw_cut";
 import { DrawDisc } from "./draw_disc";
 import { useAnswer, useOnce } from "./follow";
-import { ChoiceInput, Faults, SliderInput } from "./inputs";
+import { ChoiceInput, chosen, Faults, SliderInput } from "./inputs";
 import { Figure, saveFile } from "./save";
 import { change, type State } from "./state";
 import { words } from "./words";
@@ -75,7 +75,7 @@ export function BsdfView({ state }: { state: State }) {
       <aside class="side" aria-label={words.views.bsdf}>
         <label class={`dropPlace${isOver ? " over" : ""}`}>
           {words.drop}
-          <input type="file" accept=".xml,.nc" onChange={(event) => void drop(event.currentTarget.files?.[0])} />
+          <input type="file" accept=".xml,.nc" onChange={(event) => void drop(chosen(event))} />
         </label>
         {files.length > 0 && <ChoiceInput id="file" label={words.files} value={look.path} options={[["", words.chooseFile], ...files.map((file): [string, string] => [file.path, file.path])]} onChange={(path) => path && change("bsdf", { path, key: "" })} />}
         <Faults faults={faults} />

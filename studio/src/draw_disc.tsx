@@ -47,7 +47,7 @@ export function DrawDisc({ title, label, cells, values, isLogarithmic, least, mo
       viewBox="-104 -118 208 240"
       role={onPick ? "application" : "img"}
       aria-label={label}
-      tabIndex={onPick ? 0 : undefined}
+      tabindex={onPick ? 0 : undefined}
       onClick={onPick ? pick : undefined}
       onKeyDown={onPick ? key : undefined}
     >

@@ -95,7 +95,7 @@ export function DrawSection({ section, elevation, isDark, isStale, label, sunLab
       <g
         class="sun"
         role="slider"
-        tabIndex={0}
+        tabindex={0}
         aria-label={sunLabel}
         aria-valuemin={-89}
         aria-valuemax={89}

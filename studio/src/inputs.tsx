@@ -72,3 +72,10 @@ export function Faults({ faults, fields = [] }: { faults: Fault[]; fields?: stri
     </p>
   );
 }
+
+/** The file that was chosen; the same one can be chosen again once it was changed. */
+export function chosen(event: { currentTarget: HTMLInputElement }): File | undefined {
+  const file = event.currentTarget.files?.[0];
+  event.currentTarget.value = "";
+  return file;
+}

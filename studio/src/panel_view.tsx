@@ -9,7 +9,7 @@ import { DrawDispersion } from "./draw_dispersion";
 import { DrawSection } from "./draw_section";
 import { DrawShares } from "./draw_shares";
 import { type Doing, useAnswer, useJob, useOnce } from "./follow";
-import { Faults, SliderInput } from "./inputs";
+import { chosen, Faults, SliderInput } from "./inputs";
 import { PanelControls } from "./panel_controls";
 import { Figure, saveFile } from "./save";
 import { change, type Panel, type State } from "./state";
@@ -92,7 +92,7 @@ export function PanelView({ state, isDark }: { state: State; isDark: boolean }) 
         <div class="files">
           <label class="button">
             {words.openToml}
-            <input type="file" accept=".toml" onChange={(event) => void open(event.currentTarget.files?.[0])} />
+            <input type="file" accept=".toml" onChange={(event) => void open(chosen(event))} />
           </label>
           {names.map((name) => (
             <button key={name} onClick={() => void toToml(sun[name])}>

@@ -48,7 +48,7 @@ export const words = {
   shares: "Where the light goes",
   share: {
     transmittance_deflected: "Through, deflected",
-    transmittance_undeflected: "Through, straight",
+    transmittance_undeflected: "Through, undeflected",
     reflectance: "Reflected",
     absorptance: "Absorbed",
     residual: "Not followed",

@@ -66,6 +66,8 @@ def _listener(settings: Settings) -> socket.socket:
         else:
             listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind((settings.host, settings.port))
+        # whoever comes before the server is ready waits in line
+        listener.listen(128)
     except OSError as error:
         listener.close()
         raise ClerestoryError(
