@@ -81,7 +81,7 @@ export const words = {
   chooseFile: "Choose a file",
   drop: "Drop a BSDF (XML) here, or choose one",
   findings: "Checks",
-  noFindings: "Nothing found: energy, reciprocity, signs and directions are sound.",
+  noFindings: "The checks found nothing wrong and nothing doubtful.",
   severity: { error: "wrong", warning: "doubtful", note: "good to know" } as Record<string, string>,
   assumed: "Assumed by the reader",
   blocks: "Shares that leave",

@@ -21,7 +21,7 @@ _CUT_STEPS = 721
 
 def told(key: str, opened: Opened) -> dict[str, Any]:
     """Product, shares, what was assumed and what may be wrong."""
-    findings = [{"severity": one.severity, "where": one.where, "text": one.text} for one in opened.bsdf.check()]
+    findings = [{"severity": one.severity, "where": one.where, "text": one.text} for one in opened.findings]
     return {"key": key, **summary(opened.bsdf), "assumed": list(opened.assumed), "findings": findings}
 
 

@@ -9,10 +9,12 @@ import threading
 import warnings
 from collections import OrderedDict
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from clerestory.bsdf import Bsdf, BsdfWarning
+from clerestory.bsdf.checking import Finding
 from clerestory.bsdf.reading import read_bsdf
 from clerestory.errors import ClerestoryError
 from clerestory.rules import one_of
@@ -27,6 +29,11 @@ class Opened:
 
     bsdf: Bsdf
     assumed: tuple[str, ...] = ()
+
+    @cached_property
+    def findings(self) -> list[Finding]:
+        """What may be wrong with it, looked for once."""
+        return self.bsdf.check()
 
 
 class Shelf:
@@ -71,6 +78,9 @@ class Shelf:
         shown = re.sub(r"[^\w.() -]", "_", Path(name.replace("\\", "/")).name)[-100:] or "file.xml"
         one_of("the ending of a BSDF's file", Path(shown).suffix.lower(), (".xml", ".nc"))
         key = hashlib.sha256(content).hexdigest()[:20]
+        with self._lock:
+            if key in self._opened:
+                return key
         with tempfile.TemporaryDirectory(prefix="clerestory-") as folder:
             path = Path(folder) / shown
             path.write_bytes(content)

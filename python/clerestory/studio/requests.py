@@ -32,9 +32,9 @@ async def body(request: Request) -> Asked:
     try:
         value = json.loads(raw, parse_constant=_no_constant)
     except (ValueError, RecursionError):
-        raise ClerestoryError("a request must be JSON, got something else; see /api/openapi.json") from None
+        raise ClerestoryError("a request must be JSON, got something else") from None
     if not isinstance(value, dict):
-        raise ClerestoryError(f"a request must be a JSON object, got {type(value).__name__}; see /api/openapi.json")
+        raise ClerestoryError(f"a request must be a JSON object, got {type(value).__name__}")
     _bounded(value, 0)
     return value
 
@@ -56,7 +56,7 @@ def table(asked: Mapping[str, Any], name: str) -> Asked:
     """A field that must be a JSON object."""
     value = needed(asked, name)
     if not isinstance(value, dict):
-        raise ClerestoryError(f"{name} must be a table, got {type(value).__name__}; see /api/openapi.json")
+        raise ClerestoryError(f"{name} must be a table, got {type(value).__name__}")
     return value
 
 
