@@ -26,8 +26,9 @@ def compared(case: Case, thorough: bool) -> tuple[np.ndarray, np.ndarray]:
     """Percentages by rays and by quadrature, shape (16, points)."""
     coefficients = daylight_coefficients(
         case.room(TregenzaSharples()),
-        basis="reinhart5185" if thorough else "reinhart2305",
-        rounds=64 if thorough else 8,
+        basis="reinhart5185",
+        rounds=64 if thorough else 12,
+        window_samples=2048,
         seed=2,
     )
     sensors, rays, exact = case.sensors(), [], []
