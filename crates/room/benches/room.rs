@@ -80,7 +80,7 @@ fn daylight_factors(c: &mut Criterion) {
     let basis = rooms::tregenza();
     let mut group = c.benchmark_group("reference room");
     group.sample_size(10);
-    let settings = Settings { rounds: 8, nodes: 2048, window_samples: 64, ..Settings::default() };
+    let settings = Settings { rounds: 2, nodes: 1024, window_samples: 64, ..Settings::default() };
     group.bench_function("daylight factors to 2 %, 128 sensors", |b| {
         b.iter(|| daylight_coefficients(&scene, &points, &normals, &basis, &settings, |_| true).is_ok());
     });
