@@ -8,10 +8,10 @@ from typing import Annotated, Any
 
 import typer
 from rich.console import Console
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from clerestory.cli.mistakes import mistakes_told
+from clerestory.cli.stated_progress import stated_progress
 
 
 def room(
@@ -55,15 +55,7 @@ def _run(
     study = replace(study, calculation=replace(study.calculation, **changed))
     with (
         warnings.catch_warnings(record=True) as told,
-        Progress(
-            TextColumn("{task.description}"),
-            BarColumn(),
-            TextColumn("{task.fields[state]}"),
-            TimeElapsedColumn(),
-            console=errors,
-            disable=as_json,
-            transient=True,
-        ) as bars,
+        stated_progress(errors, hidden=as_json) as bars,
     ):
         warnings.simplefilter("always")
 

@@ -8,10 +8,10 @@ from typing import Annotated, Any
 
 import typer
 from rich.console import Console
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from clerestory.cli.mistakes import mistakes_told
+from clerestory.cli.stated_progress import stated_progress
 
 
 def year(
@@ -46,15 +46,7 @@ def _run(file: Path, out: Path, seed: int | None, suns: str | None, as_json: boo
     done = 0.0
     with (
         warnings.catch_warnings(record=True) as told,
-        Progress(
-            TextColumn("{task.description}"),
-            BarColumn(),
-            TextColumn("{task.fields[state]}"),
-            TimeElapsedColumn(),
-            console=errors,
-            disable=as_json,
-            transient=True,
-        ) as bars,
+        stated_progress(errors, hidden=as_json) as bars,
     ):
         warnings.simplefilter("always")
         task = bars.add_task(study.name, total=1.0, state="")
