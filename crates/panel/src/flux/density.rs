@@ -311,6 +311,15 @@ mod tests {
         assert!((d.power() - 0.2).abs() < 1e-15);
     }
 
+    /// Where a short slope lies on a long one, means and slopes both add, each about the middle of its own piece.
+    #[test]
+    fn slopes_add_where_they_overlap() {
+        let sloping = |end, slope| Part { start: 0.0, end, piece: Piece { mean: 1.0, slope, total_reflections: 0 } };
+        let d = with(&[sloping(1.0, 2.0), sloping(0.5, -1.0)]);
+        let found: Vec<_> = d.lit().map(|p| (p.start, p.end, p.piece.mean, p.piece.slope)).collect();
+        assert_eq!(found, [(0.0, 0.5, 1.5, 1.0), (0.5, 1.0, 1.5, 2.0)]);
+    }
+
     /// Many parts at once are the same as one after the other, sloping ones too.
     #[test]
     fn parts_at_once_are_parts_one_by_one() {
