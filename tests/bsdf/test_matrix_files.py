@@ -57,7 +57,7 @@ def test_radiance_reads_our_matrix(tmp_path: Path) -> None:
     [
         (b"1 2 3", "header"),
         (b"#?RADIANCE\nNROWS=41\nNCOLS=x\nFORMAT=ascii\n\n", "NCOLS"),
-        (b"#?RADIANCE\nNROWS=41\nNCOLS=41\nFORMAT=ascii\n\n1 2", "1681 values"),
+        (b"#?RADIANCE\nNROWS=41\nNCOLS=41\nFORMAT=ascii\n\n1 2", "1681 numbers"),
         (b"#?RADIANCE\nNROWS=41\nNCOLS=41\nFORMAT=rle\n\n", "FORMAT"),
         (b"#?RADIANCE\nNROWS=1\nNCOLS=2\nFORMAT=ascii\n\n1 b", "numbers"),
         (b"#?RADIANCE\nNROWS=1\nNCOLS=2\nFORMAT=ascii\n\n1 2", "Klems"),

@@ -3,27 +3,19 @@
 from __future__ import annotations
 
 import os
-import sys
 from pathlib import Path
 from typing import Literal
 
 import numpy as np
 
-from clerestory._native import __version__
 from clerestory.bsdf.klems import KLEMS_BASES, Floats, KlemsBasis, klems_basis
 from clerestory.bsdf.klems_block import KlemsBlock
 from clerestory.errors import ClerestoryError
+from clerestory.exchange.radiance_matrix import LUMINANCE, read_matrix, write_matrix
 from clerestory.rules import one_of
-from clerestory.saving import write_whole
 
 Weighting = Literal["incident", "none"]
 Encoding = Literal["ascii", "float", "double"]
-
-_KINDS = {"float": "f4", "double": "f8"}
-#: Radiance's weights of red, green and blue in luminance (color.h).
-_LUMINANCE = np.array([0.265, 0.670, 0.065])
-#: Longest header that is read, and most values.
-_LONGEST, _MOST = 65_536, 50_000_000
 
 
 def write_radiance_matrix(
@@ -57,18 +49,9 @@ def write_radiance_matrix(
         If a word is unknown, or the file cannot be written.
     """
     one_of("weighting", weighting, ("incident", "none"))
-    one_of("encoding", encoding, ("ascii", *_KINDS))
+    one_of("encoding", encoding, ("ascii", "float", "double"))
     values = block.values * (block.incident.projected_solid_angle if weighting == "incident" else 1.0)
-    rows, columns = values.shape
-    head = ["#?RADIANCE", f"SOFTWARE=Clerestory {__version__}", f"NROWS={rows}", f"NCOLS={columns}", "NCOMP=1"]
-    if encoding != "ascii":
-        head.append(f"BigEndian={int(sys.byteorder == 'big')}")
-    text = "\n".join([*head, f"FORMAT={encoding}", "", ""]).encode()
-    if encoding == "ascii":
-        body = "".join("\t".join(f"{value:.9g}" for value in row) + "\n" for row in values.tolist()).encode()
-    else:
-        body = values.astype(_KINDS[encoding]).tobytes()
-    return write_whole(path, lambda draft: draft.write_bytes(text + body))
+    return write_matrix(values[:, :, None], path, form=encoding)
 
 
 def read_radiance_matrix(
@@ -96,19 +79,11 @@ def read_radiance_matrix(
         If the file is no such matrix, or no basis has as many patches.
     """
     one_of("weighting", weighting, ("incident", "none"))
-    where = Path(path)
-    try:
-        content = where.read_bytes()
-    except OSError as error:
-        raise ClerestoryError(f"{where} must be a file to read, got: {error.strerror or error}") from None
-    head, body = _head(where, content)
-    rows, columns, parts = (_count(where, head, name) for name in ("NROWS", "NCOLS", "NCOMP"))
-    if rows * columns * parts > _MOST:
-        raise ClerestoryError(f"{where} must hold no more than {_MOST} values, got {rows} × {columns} × {parts}")
-    values = _values(where, head, body, rows * columns * parts).reshape(rows, columns, parts)
+    where, values = Path(path), read_matrix(path)
+    rows, columns, parts = values.shape
     if parts not in (1, 3):
         raise ClerestoryError(f"NCOMP of {where} must be 1 or 3, got {parts}")
-    matrix: Floats = values[..., 0] if parts == 1 else np.asarray(values @ _LUMINANCE)
+    matrix: Floats = values[..., 0] if parts == 1 else np.asarray(values @ LUMINANCE)
     into, out = _basis(where, incident_basis, columns), _basis(where, outgoing_basis, rows)
     if weighting == "incident":
         matrix = matrix / into.projected_solid_angle
@@ -116,44 +91,6 @@ def read_radiance_matrix(
         return KlemsBlock(matrix, into, out)
     except ClerestoryError as cause:
         raise ClerestoryError(f"{where}: {cause}") from None
-
-
-def _head(where: Path, content: bytes) -> tuple[dict[str, str], bytes]:
-    end = content.find(b"\n\n", 0, _LONGEST)
-    if not content.startswith(b"#?") or end < 0:
-        raise ClerestoryError(
-            f"{where} must begin with Radiance's header (#?RADIANCE … FORMAT=…, then an empty line); "
-            "getinfo -r or rmtxop -fa writes one"
-        )
-    lines = content[:end].decode("latin-1").splitlines()
-    return dict(line.split("=", 1) for line in lines if "=" in line), content[end + 2 :]
-
-
-def _count(where: Path, head: dict[str, str], name: str) -> int:
-    text = head.get(name, "1" if name == "NCOMP" else "").strip()
-    if not text.isdecimal() or not 0 < int(text) < 10**9:
-        raise ClerestoryError(f"{name} of {where} must be a whole number above 0, got {text[:40]!r}")
-    return int(text)
-
-
-def _values(where: Path, head: dict[str, str], body: bytes, count: int) -> Floats:
-    encoding = head.get("FORMAT", "").strip()
-    if encoding == "ascii":
-        try:
-            found = np.array(body.split(), dtype=np.float64)
-        except ValueError:
-            raise ClerestoryError(f"{where} must hold numbers after its header") from None
-    elif encoding in _KINDS:
-        order = ">" if head.get("BigEndian", "0").strip() == "1" else "<"
-        kind = np.dtype(order + _KINDS[encoding])
-        found = np.frombuffer(body[: len(body) // kind.itemsize * kind.itemsize], dtype=kind).astype(np.float64)
-    else:
-        raise ClerestoryError(
-            f"FORMAT of {where} must be ascii, float or double, got {encoding!r}; rmtxop -fa turns it"
-        )
-    if len(found) != count:
-        raise ClerestoryError(f"{where} must hold {count} values as its header says, got {len(found)}")
-    return found
 
 
 def _basis(where: Path, given: str | KlemsBasis | None, count: int) -> KlemsBasis:
