@@ -116,5 +116,5 @@ def test_what_is_no_request_is_refused_in_words(client: TestClient) -> None:
         assert answer.status_code == 422, content[:20]
         assert answer.json()["errors"][0]["message"]
     assert client.get("/api/none").status_code == 404
-    assert client.get("/api/panel/lobes").status_code == 404
+    assert client.get("/api/panel/lobes").status_code == 405
     assert client.post("/api/panel/lobes", json={"panel": {}, "elevatoin_deg": 3}).status_code == 422

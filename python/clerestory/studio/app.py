@@ -14,21 +14,32 @@ from starlette.requests import Request
 from starlette.responses import PlainTextResponse, Response
 from starlette.routing import BaseRoute, Mount, Route
 from starlette.staticfiles import StaticFiles
+from starlette.types import Receive, Scope, Send
 
 from clerestory import _native
 from clerestory.studio import bsdf_calls, job_calls, panel_calls
-from clerestory.studio.answers import refused
+from clerestory.studio.answers import answer, refused
 from clerestory.studio.bsdf_shelf import Shelf
-from clerestory.studio.folder import listed
+from clerestory.studio.folder import ENDINGS
+from clerestory.studio.folder import listed as files_of
 from clerestory.studio.guard import Guard
 from clerestory.studio.jobs import Jobs
-from clerestory.studio.requests import Asked, asking, known
+from clerestory.studio.openapi import description
+from clerestory.studio.requests import Asked, Call, call
 from clerestory.studio.settings import Settings
+from clerestory.studio.shapes import TEXT, listed, record, word
 
 #: The built page, which comes with the wheel.
 PAGE = Path(__file__).parent / "page"
 #: Short questions answered at once; more wait, so that long ones do not starve the rest.
 _THREADS = 4
+_ABOUT = record(
+    {
+        "version": TEXT,
+        "folder": TEXT,
+        "files": listed(record({"path": TEXT, "kind": word(*dict.fromkeys(ENDINGS.values()))})),
+    }
+)
 
 
 def make_app(settings: Settings) -> Starlette:
@@ -47,11 +58,12 @@ def make_app(settings: Settings) -> Starlette:
         await anyio.to_thread.run_sync(jobs.close)
 
     routes: list[BaseRoute] = [
-        Route("/api/about", asking(_about), methods=["POST"]),
+        call("/api/about", _about, {}, gives=_ABOUT),
         *panel_calls.ROUTES,
         *bsdf_calls.ROUTES,
         *job_calls.ROUTES,
-        Route("/api/{rest:path}", _unknown),
+        Call("/api/openapi.json", _described, method="GET"),
+        Route("/api/{rest:path}", _Elsewhere()),
         Mount("/", StaticFiles(directory=PAGE, html=True)) if PAGE.is_dir() else Route("/", _no_page),
     ]
     app = Starlette(
@@ -66,14 +78,28 @@ def make_app(settings: Settings) -> Starlette:
 
 def _about(request: Request, asked: Asked) -> dict[str, Any]:
     """The version, and the files of the studio's folder that a view opens."""
-    known(asked, ())
     request.app.state.jobs.warm()
     folder = request.app.state.settings.folder
-    return {"version": _native.__version__, "folder": folder.name, "files": listed(folder)}
+    return {"version": _native.__version__, "folder": folder.name, "files": files_of(folder)}
 
 
-async def _unknown(request: Request) -> Response:
-    return refused(404, f"there is no {request.url.path}: see docs/how-to/studio.md")
+async def _described(request: Request) -> Response:
+    """This description of the calls."""
+    return answer(description(request.app.routes, has_token=request.app.state.settings.token is not None))
+
+
+class _Elsewhere:
+    """What no call is for: another way to ask one that there is, or a path of none."""
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        path = scope["path"]
+        allowed = [one.method for one in scope["app"].routes if isinstance(one, Call) and one.path_regex.match(path)]
+        if allowed:
+            found = refused(405, f"{path} must be asked with {' or '.join(allowed)}, got {scope['method']}")
+            found.headers["allow"] = ", ".join(allowed)
+        else:
+            found = refused(404, f"there is no {path}: see /api/openapi.json")
+        await found(scope, receive, send)
 
 
 async def _fault(_: Request, error: Exception) -> Response:

@@ -8,23 +8,70 @@ from typing import Any
 import anyio
 from starlette.requests import Request
 from starlette.responses import Response
-from starlette.routing import Route
 
 from clerestory.bsdf.told import BsdfWarning
 from clerestory.errors import ClerestoryError
-from clerestory.rules import one_of
 from clerestory.studio.answers import answer, refused
 from clerestory.studio.bsdf_answers import cut, discs, incidence_of, told
 from clerestory.studio.bsdf_shelf import Shelf
+from clerestory.studio.fields import Field
 from clerestory.studio.folder import inside
 from clerestory.studio.panel_calls import xml_of
-from clerestory.studio.requests import Asked, asking, known, needed
+from clerestory.studio.requests import Asked, Call, call
+from clerestory.studio.shapes import INTEGER, NUMBER, TABLE, TEXT, MisshapenError, listed, maybe, named, record, word
 
-_LOOK = ("key", "elevation_deg", "azimuth_deg", "side", "band")
+_KEY = Field(TEXT, "Key of an open BSDF, as the answer that opened it says")
+_LOOK = {
+    "key": _KEY,
+    "elevation_deg": Field(NUMBER, "Elevation that the light comes from, above positive [°, -90..90]"),
+    "azimuth_deg": Field(NUMBER, "Azimuth that the light comes from, about the upright [°, -90..90]", 0.0),
+    "side": Field(word("front", "back"), "Side that the light meets", "front"),
+    "band": Field(TEXT, "Band of the spectrum, as the BSDF has it", "visible"),
+}
+_BLOCK = record(
+    {"normal": NUMBER, "mean": NUMBER, "most": NUMBER},
+    also={
+        "incident_basis": TEXT,
+        "outgoing_basis": TEXT,
+        "tree_rank": INTEGER,
+        "log2_resolution": INTEGER,
+        "leaves": INTEGER,
+    },
+)
+_OPENED = record(
+    {
+        "key": TEXT,
+        "name": TEXT,
+        "manufacturer": TEXT,
+        "thickness_mm": maybe(NUMBER),
+        "exact": maybe(TEXT),
+        "bands": named(named(_BLOCK)),
+        "about": TABLE,
+        "assumed": listed(TEXT),
+        "findings": listed(record({"severity": word("error", "warning", "note"), "where": TEXT, "text": TEXT})),
+    }
+)
+_POINT = listed(NUMBER, least=2, most=2)
+_DISC = {"word": TEXT, "cells": listed(listed(_POINT)), "values": listed(maybe(NUMBER))}
+_DISCS = record(
+    {
+        "incident": record(_DISC),
+        "picked": INTEGER,
+        "point": _POINT,
+        "outgoing": listed(record({**_DISC, "share": NUMBER})),
+    }
+)
+_CUT = record(
+    {
+        "angle_deg": listed(NUMBER),
+        "from_deg": NUMBER,
+        "curves": listed(record({"word": TEXT, "values": listed(maybe(NUMBER))})),
+    }
+)
 
 
 async def dropped(request: Request) -> Response:
-    """A file's content as the body, its name as the query ``name``."""
+    """Opens a BSDF's file that was dropped on the page: its content is the body."""
     shelf: Shelf = request.app.state.shelf
     content, name = await request.body(), request.query_params.get("name", "file.xml")
 
@@ -39,13 +86,14 @@ async def dropped(request: Request) -> Response:
 
 
 def opened(request: Request, asked: Asked) -> dict[str, Any]:
-    """A file of the studio's folder, by ``path``; or one that is open, by ``key``."""
-    known(asked, ("path", "key"))
+    """Opens a file of the studio's folder, by `path`; or tells again of one that is open, by `key`."""
     shelf: Shelf = request.app.state.shelf
     if "key" in asked:
         return told(asked["key"], shelf.get(asked["key"]))
+    if "path" not in asked:
+        raise MisshapenError("path", "path must be given, got no key either; choose a file of the folder")
     folder, limit = request.app.state.settings.folder, request.app.state.settings.most_upload_bytes
-    path = inside(folder, needed(asked, "path"))
+    path = inside(folder, asked["path"])
     if not path.is_file() or path.stat().st_size > limit:
         raise ClerestoryError(f"path must be a file of at most {limit} bytes, got {asked['path']!r}")
     key = shelf.read(path.read_bytes(), path.name)
@@ -54,48 +102,60 @@ def opened(request: Request, asked: Asked) -> dict[str, Any]:
 
 def disc(request: Request, asked: Asked) -> dict[str, Any]:
     """Where light of one incidence goes."""
-    known(asked, _LOOK)
-    return discs(request.app.state.shelf.get(needed(asked, "key")).bsdf, **_look(asked))
+    return discs(request.app.state.shelf.get(asked.pop("key")).bsdf, **asked)
 
 
 def section(request: Request, asked: Asked) -> dict[str, Any]:
     """A cut through the light of one incidence."""
-    known(asked, (*_LOOK, "plane_deg"))
-    bsdf = request.app.state.shelf.get(needed(asked, "key")).bsdf
-    return cut(bsdf, **_look(asked), plane_deg=asked.get("plane_deg", 0.0))
+    return cut(request.app.state.shelf.get(asked.pop("key")).bsdf, **asked)
 
 
 def incidence(_: Request, asked: Asked) -> dict[str, Any]:
-    """Elevation and azimuth of a point of a disc."""
-    known(asked, ("x", "y"))
-    return incidence_of(needed(asked, "x"), needed(asked, "y"))
+    """Where light comes from that travels along a point of a disc."""
+    return incidence_of(**asked)
 
 
 def xml(request: Request, asked: Asked) -> Response:
     """The BSDF as LBNL's XML."""
-    known(asked, ("key",))
-    bsdf = request.app.state.shelf.get(needed(asked, "key")).bsdf
+    bsdf = request.app.state.shelf.get(asked["key"]).bsdf
     with warnings.catch_warnings():
         # what the file makes up is told by the page's own findings
         warnings.simplefilter("ignore", BsdfWarning)
         return Response(xml_of(bsdf), media_type="application/xml", headers={"cache-control": "no-store"})
 
 
-def _look(asked: Asked) -> dict[str, Any]:
-    side = one_of("side", asked.get("side", "front"), ("front", "back"))
-    return {
-        "elevation_deg": needed(asked, "elevation_deg"),
-        "azimuth_deg": asked.get("azimuth_deg", 0.0),
-        "side": side,
-        "band": asked.get("band", "visible"),
-    }
-
-
 ROUTES = [
-    Route("/api/bsdf", dropped, methods=["POST"]),
-    Route("/api/bsdf/open", asking(opened), methods=["POST"]),
-    Route("/api/bsdf/discs", asking(disc), methods=["POST"]),
-    Route("/api/bsdf/cut", asking(section), methods=["POST"]),
-    Route("/api/bsdf/incidence", asking(incidence), methods=["POST"]),
-    Route("/api/bsdf/xml", asking(xml), methods=["POST"]),
+    Call(
+        "/api/bsdf",
+        dropped,
+        upload="application/octet-stream",
+        query={"name": Field(TEXT, "Name of the file, which ends in .xml or .nc", "file.xml")},
+        gives=_OPENED,
+    ),
+    call(
+        "/api/bsdf/open",
+        opened,
+        {
+            "path": Field(TEXT, "Path in the studio's folder, with / between names", None),
+            "key": Field(TEXT, "Key of a BSDF that is open", None),
+        },
+        gives=_OPENED,
+    ),
+    call("/api/bsdf/discs", disc, _LOOK, gives=_DISCS),
+    call(
+        "/api/bsdf/cut",
+        section,
+        {**_LOOK, "plane_deg": Field(NUMBER, "Plane through the normal, turned from the upright [°, -90..90]", 0.0)},
+        gives=_CUT,
+    ),
+    call(
+        "/api/bsdf/incidence",
+        incidence,
+        {
+            "x": Field(NUMBER, "To the right from the middle of a disc [° from the normal, -90..90]"),
+            "y": Field(NUMBER, "Up from the middle of a disc [° from the normal, -90..90]"),
+        },
+        gives=record({"elevation_deg": NUMBER, "azimuth_deg": NUMBER}),
+    ),
+    call("/api/bsdf/xml", xml, {"key": _KEY}, gives=TEXT, media="application/xml"),
 ]

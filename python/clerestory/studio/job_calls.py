@@ -5,47 +5,49 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import AsyncIterator, Callable
+from dataclasses import dataclass
 from typing import Any
 
 import anyio
 from starlette.requests import Request
 from starlette.responses import Response, StreamingResponse
-from starlette.routing import Route
 
 from clerestory.bsdf import Bsdf
 from clerestory.panels.writing import described
-from clerestory.rules import number, one_of
 from clerestory.studio.answers import answer, plain, refused
 from clerestory.studio.bsdf_shelf import Opened
-from clerestory.studio.jobs import Job, Jobs
-from clerestory.studio.panel_calls import asked_panel
-from clerestory.studio.requests import Asked, asking, known, needed
+from clerestory.studio.fields import Field, Fields, checked, shape_of
+from clerestory.studio.jobs import Job
+from clerestory.studio.panel_calls import PANEL, asked_panel
+from clerestory.studio.requests import Asked, Call, asking
+from clerestory.studio.shapes import ANYTHING, NUMBER, TEXT, MisshapenError, fit, listed, maybe, record, word
 
 #: Seconds between looks at a job, and between signs of life to the page.
 _LOOK, _SIGN = 0.05, 10.0
 
 
-def _angular(_: Request, asked: Asked) -> dict[str, Any]:
-    known(asked, ("panel", "azimuth_deg", "side"))
-    return {
-        "panel": asked_panel(asked).to_dict(),
-        "azimuth_deg": number("azimuth_deg", asked.get("azimuth_deg", 0.0)),
-        "side": one_of("side", asked.get("side", "front"), ("front", "back")),
-    }
+@dataclass(frozen=True)
+class Kind:
+    """A kind of job.
+
+    Parameters
+    ----------
+    fields : Fields
+        What it is asked with, besides ``kind``.
+    check : callable
+        Makes of what was asked the arguments of the function of :mod:`clerestory.studio.work`; what is wrong is told
+        before the job waits in line.
+    finish : callable, optional
+        Makes of the application's state and the result what the page gets.
+    """
+
+    fields: Fields
+    check: Callable[[Request, Asked], Asked]
+    finish: Callable[[Any, Any], Any] | None = None
 
 
-def _dispersion(_: Request, asked: Asked) -> dict[str, Any]:
-    known(asked, ("panel", "elevation_deg", "azimuth_deg"))
-    return {
-        "panel": asked_panel(asked).to_dict(),
-        "elevation_deg": number("elevation_deg", needed(asked, "elevation_deg")),
-        "azimuth_deg": number("azimuth_deg", asked.get("azimuth_deg", 0.0)),
-    }
-
-
-def _klems(_: Request, asked: Asked) -> dict[str, Any]:
-    known(asked, ("panel",))
-    return {"panel": asked_panel(asked).to_dict()}
+def _of_panel(_: Request, asked: Asked) -> Asked:
+    return {**asked, "panel": asked_panel(asked).to_dict()}
 
 
 def _shelve(state: Any, bsdf: Bsdf) -> dict[str, Any]:
@@ -54,24 +56,61 @@ def _shelve(state: Any, bsdf: Bsdf) -> dict[str, Any]:
     return {"key": state.shelf.put(f"panel-{key}", Opened(bsdf))}
 
 
-#: Kind of job → checks what was asked before it waits in line.
-KINDS: dict[str, Callable[[Request, Asked], dict[str, Any]]] = {
-    "angular": _angular,
-    "dispersion": _dispersion,
-    "klems": _klems,
+_AZIMUTH = Field(NUMBER, "Azimuth that the light comes from, about the upright [°, -90..90]", 0.0)
+#: The kinds of jobs; each has a function of the same name in :mod:`clerestory.studio.work`.
+KINDS: dict[str, Kind] = {
+    "angular": Kind(
+        {
+            "panel": PANEL,
+            "azimuth_deg": _AZIMUTH,
+            "side": Field(word("front", "back"), "Side that the light meets", "front"),
+        },
+        _of_panel,
+    ),
+    "dispersion": Kind(
+        {
+            "panel": PANEL,
+            "elevation_deg": Field(NUMBER, "Elevation that the light comes from, above positive [°, -90..90]"),
+            "azimuth_deg": _AZIMUTH,
+        },
+        _of_panel,
+    ),
+    "klems": Kind({"panel": PANEL}, _of_panel, _shelve),
 }
-#: Kind of job → what becomes of its result on this side.
-FINISHES: dict[str, Callable[[Any, Any], Any]] = {"klems": _shelve}
+JOB = record(
+    {
+        "job": TEXT,
+        "kind": TEXT,
+        "state": word("waiting", "running", "done", "failed", "cancelled"),
+        "done": NUMBER,
+        "total": NUMBER,
+        "partial": ANYTHING,
+        "result": ANYTHING,
+        "errors": listed(record({"field": maybe(TEXT), "message": TEXT})),
+    }
+)
+
+
+def _fields(kind: str) -> Fields:
+    return {"kind": Field(word(kind), "Kind of the job"), **KINDS[kind].fields}
+
+
+def _checked(asked: Asked) -> Asked:
+    if "kind" not in asked:
+        raise MisshapenError("kind", f"kind must be given, one of {', '.join(KINDS)}; add it")
+    fit("kind", asked["kind"], word(*KINDS))
+    return checked(_fields(asked["kind"]), asked)
 
 
 def start(request: Request, asked: Asked) -> dict[str, Any]:
-    """Puts a job in line: ``kind`` and its own fields."""
-    kind = one_of("kind", needed(asked, "kind"), KINDS)
-    arguments = KINDS[kind](request, {name: value for name, value in asked.items() if name != "kind"})
-    jobs: Jobs = request.app.state.jobs
-    finish = FINISHES.get(kind)
-    state = request.app.state
-    job = jobs.start(kind, arguments, (lambda result: finish(state, result)) if finish else lambda result: result)
+    """Puts a job in line: `kind` and its own fields."""
+    name = asked.pop("kind")
+    kind, jobs, state = KINDS[name], request.app.state.jobs, request.app.state
+    job: Job = jobs.start(
+        name,
+        kind.check(request, asked),
+        lambda result: kind.finish(state, result) if kind.finish else result,
+    )
     return job.told()
 
 
@@ -113,8 +152,13 @@ async def _events(job: Job) -> AsyncIterator[str]:
 
 
 ROUTES = [
-    Route("/api/jobs", asking(start), methods=["POST"]),
-    Route("/api/jobs/{key}", look, methods=["GET"]),
-    Route("/api/jobs/{key}", cancel, methods=["DELETE"]),
-    Route("/api/jobs/{key}/events", follow, methods=["GET"]),
+    Call(
+        "/api/jobs",
+        asking(start, _checked),
+        takes={"oneOf": [shape_of(_fields(name)) for name in KINDS]},
+        gives=JOB,
+    ),
+    Call("/api/jobs/{key}", look, method="GET", gives=JOB),
+    Call("/api/jobs/{key}", cancel, method="DELETE", gives=JOB),
+    Call("/api/jobs/{key}/events", follow, method="GET", gives=TEXT, media="text/event-stream"),
 ]

@@ -9,61 +9,101 @@ from typing import Any
 
 import tomli_w
 from starlette.requests import Request
-from starlette.routing import Route
 
 from clerestory.errors import ClerestoryError
 from clerestory.panels import Panel, panel_from_dict
+from clerestory.studio.fields import Field
 from clerestory.studio.panel_answers import lobes_of, section_of
 from clerestory.studio.panel_kinds import media, panel_kinds
-from clerestory.studio.requests import Asked, asking, known, needed, table
+from clerestory.studio.requests import Asked, call
+from clerestory.studio.shapes import FLAG, INTEGER, NUMBER, TABLE, TEXT, listed, record, word
 
-_INCIDENCE = ("elevation_deg", "azimuth_deg", "wavelength_nm")
+#: The panel of a question.
+PANEL = Field(TABLE, "A panel: its `kind` and the arguments of that kind by name, as in its TOML file")
+_INCIDENCE = {
+    "panel": PANEL,
+    "elevation_deg": Field(NUMBER, "Elevation that the light comes from, above positive [°, -90..90]"),
+    "azimuth_deg": Field(NUMBER, "Azimuth that the light comes from, about the upright [°, -90..90]", 0.0),
+    "wavelength_nm": Field(NUMBER, "Wavelength [nm]; without it the panel's own, for visible light", None),
+}
+_LOBE = record(
+    {
+        "power": NUMBER,
+        "side": word("front", "back"),
+        "elevation_deg": NUMBER,
+        "azimuth_deg": NUMBER,
+        "total_reflections": INTEGER,
+        "direction": listed(NUMBER, least=3, most=3),
+    }
+)
+_SHARES = (
+    "transmittance",
+    "reflectance",
+    "absorptance",
+    "transmittance_deflected",
+    "transmittance_undeflected",
+    "residual",
+)
+_OUTLINES = listed(listed(listed(NUMBER, least=2, most=2)))
+_STRIP = record(
+    {
+        "corners": listed(listed(NUMBER, least=2, most=2), least=4, most=4),
+        "power": NUMBER,
+        "total_reflections": INTEGER,
+        "leaves": FLAG,
+    }
+)
+_SECTION = record(
+    dict.fromkeys(("pitch_mm", "front_mm", "back_mm", "low_mm", "high_mm"), NUMBER)
+    | dict.fromkeys(("solids", "films", "surfaces"), _OUTLINES)
+    | {"strips": listed(_STRIP)}
+)
+_SLIDER = record({"name": TEXT, "low": NUMBER, "high": NUMBER, "step": NUMBER, "unit": TEXT, "start": NUMBER})
+_CHOICE = record({"name": TEXT, "words": listed(TEXT), "start": TEXT})
+_KIND = record({"kind": TEXT, "sliders": listed(_SLIDER), "choices": listed(_CHOICE), "medium": TEXT})
 
 
 def asked_panel(asked: Asked) -> Panel:
     """The panel of a request, checked by its own dataclass."""
-    return panel_from_dict(table(asked, "panel"))
-
-
-def _incidence(asked: Asked) -> dict[str, Any]:
-    given = {name: asked[name] for name in _INCIDENCE if asked.get(name) is not None}
-    return {"elevation_deg": needed(asked, "elevation_deg"), "azimuth_deg": 0.0} | given
+    return panel_from_dict(asked["panel"])
 
 
 def section(_: Request, asked: Asked) -> dict[str, Any]:
     """The section of a panel with the beams of one slice of light."""
-    known(asked, ("panel", *_INCIDENCE))
-    return section_of(asked_panel(asked), **_incidence(asked))
+    return section_of(asked_panel(asked), **{name: asked[name] for name in asked if name != "panel"})
 
 
 def lobes(_: Request, asked: Asked) -> dict[str, Any]:
     """The beams that leave a panel, and how the light divides."""
-    known(asked, ("panel", *_INCIDENCE, "side"))
-    return lobes_of(asked_panel(asked), side=asked.get("side", "front"), **_incidence(asked))
+    return lobes_of(asked_panel(asked), **{name: asked[name] for name in asked if name != "panel"})
 
 
 def to_toml(_: Request, asked: Asked) -> dict[str, Any]:
-    """A panel as the text of its file, which ``clerestory panel FILE.toml`` and ``read_panel`` read."""
-    known(asked, ("panel",))
+    """A panel as the text of its file, which `clerestory panel FILE.toml` and `read_panel` read."""
     return {"text": tomli_w.dumps(asked_panel(asked).to_dict())}
 
 
 def from_toml(_: Request, asked: Asked) -> dict[str, Any]:
     """A panel from the text of its file."""
-    known(asked, ("text",))
-    text = needed(asked, "text")
-    if not isinstance(text, str):
-        raise ClerestoryError(f"text must be that of a TOML file, got {type(text).__name__}")
+    return {"panel": panel_from_dict(toml_of(asked["text"])).to_dict()}
+
+
+def toml_of(text: str) -> dict[str, Any]:
+    """The tables of a TOML file's text.
+
+    Raises
+    ------
+    ClerestoryError
+        If it is none; the message says where.
+    """
     try:
-        values = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+        return tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise ClerestoryError(f"text must be that of a TOML file: {error}") from None
-    return {"panel": panel_from_dict(values).to_dict()}
 
 
 def kinds(_: Request, asked: Asked) -> dict[str, Any]:
     """The kinds of panels with their sliders, and the media."""
-    known(asked, ())
     return {"kinds": panel_kinds(), "media": media()}
 
 
@@ -75,9 +115,19 @@ def xml_of(bsdf: Any) -> bytes:
 
 
 ROUTES = [
-    Route("/api/panel/kinds", asking(kinds), methods=["POST"]),
-    Route("/api/panel/section", asking(section), methods=["POST"]),
-    Route("/api/panel/lobes", asking(lobes), methods=["POST"]),
-    Route("/api/panel/toml", asking(to_toml), methods=["POST"]),
-    Route("/api/panel/read", asking(from_toml), methods=["POST"]),
+    call("/api/panel/kinds", kinds, {}, gives=record({"kinds": listed(_KIND), "media": listed(TEXT)})),
+    call("/api/panel/section", section, _INCIDENCE, gives=_SECTION),
+    call(
+        "/api/panel/lobes",
+        lobes,
+        {**_INCIDENCE, "side": Field(word("front", "back"), "Side that the light meets", "front")},
+        gives=record({"lobes": listed(_LOBE), "shares": record(dict.fromkeys(_SHARES, NUMBER))}),
+    ),
+    call("/api/panel/toml", to_toml, {"panel": PANEL}, gives=record({"text": TEXT})),
+    call(
+        "/api/panel/read",
+        from_toml,
+        {"text": Field(TEXT, "Text of a panel's TOML file")},
+        gives=record({"panel": TABLE}),
+    ),
 ]

@@ -3,21 +3,99 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable
 from typing import Any
 
 import anyio
 from starlette.requests import Request
 from starlette.responses import Response
+from starlette.routing import Route
 
 from clerestory.errors import ClerestoryError
-from clerestory.rules import one_of
 from clerestory.studio.answers import answer, field_of, refused
+from clerestory.studio.fields import Fields, checked, shape_of
+from clerestory.studio.shapes import TABLE, MisshapenError, Shape
 
 Asked = dict[str, Any]
 
-#: Deepest nesting of lists and tables in a request, and most numbers of one list.
+#: Deepest nesting of lists and tables in a request, and most entries of one of them.
 _DEEPEST, _LONGEST = 8, 4096
+
+
+class Call(Route):
+    """An endpoint that says what it takes and what it gives.
+
+    Parameters
+    ----------
+    path, endpoint
+        As of a Starlette route. The first sentence of the endpoint's docstring tells what it is for.
+    method : str, default "POST"
+    takes : Shape, optional
+        Of the JSON that is sent; or, with ``upload``, nothing.
+    upload : str, optional
+        Media type of a file that is sent instead.
+    query : Fields, optional
+        Of the address.
+    gives : Shape, optional
+        Of the JSON that is answered.
+    media : str, default "application/json"
+        Media type of the answer.
+    """
+
+    def __init__(
+        self,
+        path: str,
+        endpoint: Callable[[Request], Any],
+        *,
+        method: str = "POST",
+        takes: Shape | None = None,
+        upload: str | None = None,
+        query: Fields | None = None,
+        gives: Shape = TABLE,
+        media: str = "application/json",
+    ) -> None:
+        super().__init__(path, endpoint, methods=[method])
+        # what asks for the head of an answer asks for no answer
+        self.methods = {method}
+        self.method, self.takes, self.upload, self.query = method, takes, upload, query or {}
+        self.gives, self.media = gives, media
+
+
+def call(
+    path: str,
+    work: Callable[[Request, Asked], Any],
+    fields: Fields,
+    *,
+    gives: Shape = TABLE,
+    media: str = "application/json",
+) -> Call:
+    """A question: a JSON object of ``fields``, answered in a thread with what ``work`` makes of it; mistakes as 422."""
+    return Call(
+        path, asking(work, lambda asked: checked(fields, asked)), takes=shape_of(fields), gives=gives, media=media
+    )
+
+
+def asking(
+    work: Callable[[Request, Asked], Any], check: Callable[[Asked], Asked] = lambda asked: asked
+) -> Callable[[Request], Any]:
+    """An endpoint that answers a checked JSON object with what ``work`` makes of it."""
+
+    async def endpoint(request: Request) -> Response:
+        asked: Asked = {}
+        try:
+            asked = check(await body(request))
+            limiter = request.app.state.threads
+            found = await anyio.to_thread.run_sync(lambda: work(request, dict(asked)), limiter=limiter)
+        except MisshapenError as error:
+            return refused(422, str(error), error.field)
+        except ClerestoryError as error:
+            return refused(422, str(error), field_of(error, asked))
+        return found if isinstance(found, Response) else answer(found)
+
+    endpoint.__name__ = work.__name__
+    endpoint.__doc__ = work.__doc__
+    return endpoint
 
 
 async def body(request: Request) -> Asked:
@@ -39,45 +117,6 @@ async def body(request: Request) -> Asked:
     return value
 
 
-def known(asked: Mapping[str, Any], names: tuple[str, ...]) -> None:
-    """Every field of a request is one of a few."""
-    for name in asked:
-        one_of("a field", name, names)
-
-
-def needed(asked: Mapping[str, Any], name: str) -> Any:
-    """A field that must be there."""
-    if name not in asked:
-        raise ClerestoryError(f"{name} must be given, got {sorted(map(str, asked))}; add it")
-    return asked[name]
-
-
-def table(asked: Mapping[str, Any], name: str) -> Asked:
-    """A field that must be a JSON object."""
-    value = needed(asked, name)
-    if not isinstance(value, dict):
-        raise ClerestoryError(f"{name} must be a table, got {type(value).__name__}")
-    return value
-
-
-def asking(work: Callable[[Request, Asked], Any]) -> Callable[[Request], Any]:
-    """An endpoint that answers a JSON object with what ``work`` makes of it, in a thread; mistakes as 422."""
-
-    async def endpoint(request: Request) -> Response:
-        asked: Asked = {}
-        try:
-            asked = await body(request)
-            limiter = request.app.state.threads
-            found = await anyio.to_thread.run_sync(lambda: work(request, asked), limiter=limiter)
-        except ClerestoryError as error:
-            return refused(422, str(error), field_of(error, asked))
-        return found if isinstance(found, Response) else answer(found)
-
-    endpoint.__name__ = work.__name__
-    endpoint.__doc__ = work.__doc__
-    return endpoint
-
-
 def _no_constant(word: str) -> Any:
     raise ValueError(word)
 
@@ -90,3 +129,36 @@ def _bounded(value: Any, depth: int) -> None:
             raise ClerestoryError(f"a list of a request must have at most {_LONGEST} entries, got {len(value)}")
         for one in value.values() if isinstance(value, dict) else value:
             _bounded(one, depth + 1)
+    elif isinstance(value, (int, float)) and not math.isfinite(_double(value)):
+        raise ClerestoryError("a number of a request must be one that a computer's 64 bits hold, got a larger one")
+
+
+def _double(value: float) -> float:
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf
+
+
+# until every question declares its fields
+def known(asked: Asked, names: tuple[str, ...]) -> None:
+    """Every field of a request is one of a few."""
+    from clerestory.rules import one_of
+
+    for name in asked:
+        one_of("a field", name, names)
+
+
+def needed(asked: Asked, name: str) -> Any:
+    """A field that must be there."""
+    if name not in asked:
+        raise ClerestoryError(f"{name} must be given, got {sorted(map(str, asked))}; add it")
+    return asked[name]
+
+
+def table(asked: Asked, name: str) -> Asked:
+    """A field that must be a JSON object."""
+    value = needed(asked, name)
+    if not isinstance(value, dict):
+        raise ClerestoryError(f"{name} must be a table, got {type(value).__name__}")
+    return value
