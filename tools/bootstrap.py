@@ -250,8 +250,9 @@ def check():
 
 
 def validate():
-    """Every claim of docs/validation.md computed again, with its figures."""
+    """Every claim of docs/validation.md computed again, with its figures; the studio's calls asked at length."""
     do(PYTHON, os.path.join("tests", "validation", "report.py"))
+    do(PYTHON, "-m", "pytest", "-q", "tests/studio/test_openapi.py", CLERESTORY_FUZZ="400")
 
 
 def bench():

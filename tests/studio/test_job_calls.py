@@ -112,3 +112,20 @@ def test_jobs_in_line_are_few(client: Any) -> None:
     assert "at most" in answer.json()["errors"][0]["message"]
     for key in keys:
         client.delete(f"/api/jobs/{key}")
+
+
+def test_a_fault_in_a_job_or_in_what_becomes_of_it_is_told_and_ends_no_worker(client: Any) -> None:
+    def broken(_: Any) -> Any:
+        raise ZeroDivisionError
+
+    jobs = client.app.state.jobs
+    arguments = {"panel": IDEAL, "azimuth_deg": 0.0, "side": "front"}
+    for kind, asked, finish in (
+        ("angular", arguments, broken),
+        ("angular", {"panel": 7}, lambda result: result),
+        ("no such kind", {}, lambda result: result),
+    ):
+        job = jobs.start(kind, asked, finish)
+        assert ended(client, job.key)[-1]["state"] == "failed"
+        assert "a fault of the program" in job.errors[0]["message"]
+    assert ended(client, started(client, kind="angular", panel=IDEAL))[-1]["state"] == "done"

@@ -23,7 +23,7 @@ from clerestory.studio.shapes import INTEGER, NUMBER, TABLE, TEXT, MisshapenErro
 _KEY = Field(TEXT, "Key of an open BSDF, as the answer that opened it says")
 _LOOK = {
     "key": _KEY,
-    "elevation_deg": Field(NUMBER, "Elevation that the light comes from, above positive [°, -90..90]"),
+    "elevation_deg": Field(NUMBER, "Elevation that the light comes from, above positive [°, -90..90]", example=40.0),
     "azimuth_deg": Field(NUMBER, "Azimuth that the light comes from, about the upright [°, -90..90]", 0.0),
     "side": Field(word("front", "back"), "Side that the light meets", "front"),
     "band": Field(TEXT, "Band of the spectrum, as the BSDF has it", "visible"),
@@ -136,7 +136,7 @@ ROUTES = [
         "/api/bsdf/open",
         opened,
         {
-            "path": Field(TEXT, "Path in the studio's folder, with / between names", None),
+            "path": Field(TEXT, "Path in the studio's folder, with / between names", None, example="glazing.xml"),
             "key": Field(TEXT, "Key of a BSDF that is open", None),
         },
         gives=_OPENED,
@@ -152,8 +152,8 @@ ROUTES = [
         "/api/bsdf/incidence",
         incidence,
         {
-            "x": Field(NUMBER, "To the right from the middle of a disc [° from the normal, -90..90]"),
-            "y": Field(NUMBER, "Up from the middle of a disc [° from the normal, -90..90]"),
+            "x": Field(NUMBER, "To the right from the middle of a disc [° from the normal, -90..90]", example=10.0),
+            "y": Field(NUMBER, "Up from the middle of a disc [° from the normal, -90..90]", example=10.0),
         },
         gives=record({"elevation_deg": NUMBER, "azimuth_deg": NUMBER}),
     ),

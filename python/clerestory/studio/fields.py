@@ -24,11 +24,14 @@ class Field:
     default : any, optional
         Without one the field must be given. One that may be left out may be null too: the default then stands in its
         place, or with a default of None the field is not there.
+    example : any, optional
+        A value that is answered, for a reader who tries the call.
     """
 
     shape: Shape
     tells: str
     default: Any = _NEEDED
+    example: Any = None
 
     @property
     def is_needed(self) -> bool:
@@ -38,10 +41,14 @@ class Field:
     @property
     def described(self) -> Shape:
         """The shape with its sentence, for a reader."""
+        told: Shape = {"description": self.tells}
+        if self.example is not None:
+            told["examples"] = [self.example]
         if self.is_needed:
-            return {**self.shape, "description": self.tells}
-        start = {} if self.default is None else {"default": self.default}
-        return {**maybe(self.shape), "description": self.tells, **start}
+            return {**self.shape, **told}
+        if self.default is not None:
+            told["default"] = self.default
+        return {**maybe(self.shape), **told}
 
 
 Fields = Mapping[str, Field]

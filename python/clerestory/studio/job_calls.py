@@ -70,7 +70,9 @@ KINDS: dict[str, Kind] = {
     "dispersion": Kind(
         {
             "panel": PANEL,
-            "elevation_deg": Field(NUMBER, "Elevation that the light comes from, above positive [°, -90..90]"),
+            "elevation_deg": Field(
+                NUMBER, "Elevation that the light comes from, above positive [°, -90..90]", example=40.0
+            ),
             "azimuth_deg": _AZIMUTH,
         },
         _of_panel,

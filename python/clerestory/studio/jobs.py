@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from clerestory.errors import ClerestoryError
-from clerestory.studio.worker import serve_jobs
+from clerestory.studio.worker import faults_of, serve_jobs
 
 #: Jobs that are over and can still be asked about.
 _KEPT = 64
@@ -104,6 +104,8 @@ class Jobs:
             If too many jobs wait already.
         """
         with self._changed:
+            if not self._is_open:
+                raise ClerestoryError("a job must be asked for while the studio runs: start it again")
             if sum(not job.is_over for job in self._jobs.values()) >= self.most_jobs:
                 raise ClerestoryError(f"at most {self.most_jobs} jobs may wait at once: cancel one, or wait")
             job = Job(kind, arguments, finish)
@@ -213,7 +215,10 @@ class Jobs:
     def _heard(self, job: Job, word: str, value: Any) -> bool:
         """Takes one message; True if it was the last of the job."""
         if word == "done":
-            value = job.finish(value)
+            try:
+                value = job.finish(value)
+            except Exception as error:
+                word, value = "failed", faults_of(error, job.arguments)
         with self._changed:
             if not job.is_over:
                 if word == "progress":

@@ -36,10 +36,7 @@ def description(routes: Iterable[BaseRoute], *, has_token: bool) -> dict[str, An
     for one in routes:
         if isinstance(one, Call):
             paths.setdefault(one.path, {})[one.method.lower()] = _operation(one, has_token)
-    carried = {
-        "bearer": {"type": "http", "scheme": "bearer", "description": "The token that the studio printed"},
-        "cookie": {"type": "apiKey", "in": "cookie", "name": "clerestory_token", "description": "As the page has it"},
-    }
+    bearer = {"type": "http", "scheme": "bearer", "description": "The token that the studio printed when it started"}
     return {
         "openapi": "3.1.0",
         "info": {
@@ -53,9 +50,9 @@ def description(routes: Iterable[BaseRoute], *, has_token: bool) -> dict[str, An
         "components": {
             "schemas": {"Errors": ERRORS},
             "responses": {code: _refusal(text) for code, text in _REFUSALS.items()},
-            **({"securitySchemes": carried} if has_token else {}),
+            **({"securitySchemes": {"bearer": bearer}} if has_token else {}),
         },
-        **({"security": [{"bearer": []}, {"cookie": []}]} if has_token else {}),
+        **({"security": [{"bearer": []}]} if has_token else {}),
     }
 
 

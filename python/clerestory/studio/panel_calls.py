@@ -19,10 +19,14 @@ from clerestory.studio.requests import Asked, call
 from clerestory.studio.shapes import FLAG, INTEGER, NUMBER, TABLE, TEXT, listed, record, word
 
 #: The panel of a question.
-PANEL = Field(TABLE, "A panel: its `kind` and the arguments of that kind by name, as in its TOML file")
+PANEL = Field(
+    TABLE,
+    "A panel: its `kind` and the arguments of that kind by name, as in its TOML file",
+    example={"kind": "laser-cut", "spacing_mm": 6.0, "thickness_mm": 6.0},
+)
 _INCIDENCE = {
     "panel": PANEL,
-    "elevation_deg": Field(NUMBER, "Elevation that the light comes from, above positive [°, -90..90]"),
+    "elevation_deg": Field(NUMBER, "Elevation that the light comes from, above positive [°, -90..90]", example=40.0),
     "azimuth_deg": Field(NUMBER, "Azimuth that the light comes from, about the upright [°, -90..90]", 0.0),
     "wavelength_nm": Field(NUMBER, "Wavelength [nm]; without it the panel's own, for visible light", None),
 }
@@ -127,7 +131,7 @@ ROUTES = [
     call(
         "/api/panel/read",
         from_toml,
-        {"text": Field(TEXT, "Text of a panel's TOML file")},
+        {"text": Field(TEXT, "Text of a panel's TOML file", example='kind = "pane"\nthickness_mm = 4.0\n')},
         gives=record({"panel": TABLE}),
     ),
 ]

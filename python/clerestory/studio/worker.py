@@ -7,6 +7,7 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from clerestory.errors import ClerestoryError
+from clerestory.studio.answers import field_of
 
 
 def serve_jobs(pipe: Connection) -> None:
@@ -14,7 +15,6 @@ def serve_jobs(pipe: Connection) -> None:
     # Ctrl-C is the server's to hear, which then ends its processes
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     from clerestory.studio import work
-    from clerestory.studio.answers import field_of
 
     while True:
         try:
@@ -23,10 +23,18 @@ def serve_jobs(pipe: Connection) -> None:
             return
         try:
             pipe.send(("done", work.JOBS[kind](**arguments, tell=_Tell(pipe))))
-        except ClerestoryError as error:
-            pipe.send(("failed", [{"field": field_of(error, arguments), "message": " ".join(str(error).split())}]))
-        except MemoryError:
-            pipe.send(("failed", [{"field": None, "message": "there is not enough memory for this: ask for less"}]))
+        except Exception as error:
+            pipe.send(("failed", faults_of(error, arguments)))
+
+
+def faults_of(error: Exception, arguments: dict[str, Any]) -> list[dict[str, Any]]:
+    """What the page is told of an error: a user's mistake beside its field, anything else as what it is."""
+    if isinstance(error, ClerestoryError):
+        return [{"field": field_of(error, arguments), "message": " ".join(str(error).split())}]
+    if isinstance(error, MemoryError):
+        return [{"field": None, "message": "there is not enough memory for this: ask for less"}]
+    fault = f"a fault of the program: {type(error).__name__}; please report it with what you did"
+    return [{"field": None, "message": fault}]
 
 
 class _Tell:
