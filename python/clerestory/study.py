@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -47,11 +47,14 @@ class Study:
         The same room with other glazings.
     skies : mapping of label → CieSky
     calculation : Calculation
+    text : str
+        Of the file, which is kept with the results.
     """
 
     rooms: Mapping[str, Room]
     skies: Mapping[str, CieSky] = field(default_factory=dict)
     calculation: Calculation = Calculation()
+    text: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -85,7 +88,8 @@ def read_study(path: str | os.PathLike[str]) -> Study:
     ClerestoryError
         As `read_room`, and for unknown or wrong values in these tables.
     """
-    return study_of(read_toml(path), where=Path(path).name, folder=Path(path).parent)
+    study = study_of(read_toml(path), where=Path(path).name, folder=Path(path).parent)
+    return replace(study, text=Path(path).read_text(encoding="utf-8"))
 
 
 def study_of(tables: Mapping[str, Any], *, where: str = "the study", folder: Path = Path()) -> Study:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from clerestory.room.plan_outline import plan_attributes
 from clerestory.saving import table_text, write_whole
 from clerestory.study import Findings, Study, summary
 from clerestory.sun_coefficients import sun_coefficients
@@ -50,10 +51,11 @@ def write_report(study: Study, findings: Mapping[str, Findings], folder: str | o
     put("summary.json", partial(Path.write_text, data=numbers, encoding="utf-8"))
     for label, found in findings.items():
         stem = _stem(label)
-        put(f"{stem}-coefficients.nc", partial(_save, found.coefficients))
+        made_from = plan_attributes(study.rooms[label], study.text)
+        put(f"{stem}-coefficients.nc", partial(_save, found.coefficients.assign_attrs(made_from)))
         put(f"{stem}-daylight-factor.csv", partial(_table, found.daylight_factor))
         if found.illuminance is not None:
-            put(f"{stem}-illuminance.nc", partial(_save, found.illuminance))
+            put(f"{stem}-illuminance.nc", partial(_save, found.illuminance.assign_attrs(made_from)))
     for name, figure in _figures(study, findings):
         put(name, figure.savefig)
     return written

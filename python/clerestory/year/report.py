@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 import os
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -14,6 +15,7 @@ import numpy as np
 import xarray as xr
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
+from clerestory.room.plan_outline import plan_attributes
 from clerestory.saving import write_text, write_whole
 from clerestory.year import pictures
 from clerestory.year.assumptions import assumptions, errors_told
@@ -40,7 +42,7 @@ def write_year(study: YearStudy, results: Mapping[str, xr.Dataset], folder: str 
     target = Path(folder)
     together = compared(results)
     return [
-        write_whole(target / "year.nc", lambda draft: _save(together, draft)),
+        write_whole(target / "year.nc", lambda draft: _save(together.assign_attrs(_made_from(study)), draft)),
         write_text(target / "metrics.csv", _csv(results, together.attrs)),
         write_text(target / "report.html", report_text(study, results, together.attrs)),
     ]
@@ -86,6 +88,11 @@ def report_text(study: YearStudy, results: Mapping[str, xr.Dataset], attributes:
         hours=int(next(iter(results.values()))["in_use"].sum()),
     )
     return page
+
+
+def _made_from(study: YearStudy) -> dict[str, str]:
+    room = next(iter(study.variants.values()))
+    return {**plan_attributes(room, study.text), "measures": json.dumps(asdict(study.measures))}
 
 
 def _save(together: xr.Dataset, draft: Path) -> None:
