@@ -39,8 +39,8 @@ def plan_outlines(room: Room) -> dict[str, dict[str, Any]]:
     Returns
     -------
     dict
-        ``surfaces`` and ``windows``: name → outline [m], a list of (x, y, z). Surfaces are those that a group of sensors
-        is named after.
+        ``surfaces`` and ``windows``: name → outline [m], a list of (x, y, z). Surfaces are those that a group of
+        sensors is named after.
     """
     groups = {one.name for one in room.sensor_points()}
     surfaces = {one.name: one.outline_m for one in room.surfaces if one.name in groups}

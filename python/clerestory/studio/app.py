@@ -17,7 +17,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import Receive, Scope, Send
 
 from clerestory import _native
-from clerestory.studio import bsdf_calls, job_calls, panel_calls
+from clerestory.studio import bsdf_calls, job_calls, panel_calls, result_calls
 from clerestory.studio.answers import answer, refused
 from clerestory.studio.bsdf_shelf import Shelf
 from clerestory.studio.folder import ENDINGS
@@ -26,6 +26,9 @@ from clerestory.studio.guard import Guard
 from clerestory.studio.jobs import Jobs
 from clerestory.studio.openapi import description
 from clerestory.studio.requests import Asked, Call, call
+from clerestory.studio.result_listing import Listing
+from clerestory.studio.result_reader import Reader
+from clerestory.studio.result_shelf import ResultShelf
 from clerestory.studio.settings import Settings
 from clerestory.studio.shapes import TEXT, listed, record, word
 
@@ -49,18 +52,23 @@ def make_app(settings: Settings) -> Starlette:
     ----------
     settings : Settings
     """
+    reader = Reader()
     jobs = Jobs(workers=settings.workers, most_jobs=settings.most_jobs, most_seconds=settings.most_seconds)
 
     @contextlib.asynccontextmanager
     async def life(app: Starlette) -> AsyncIterator[None]:
         app.state.threads = anyio.CapacityLimiter(_THREADS)
+        # one file at a time is read, and none takes the threads of the short questions
+        app.state.readers = anyio.CapacityLimiter(1)
         yield
         await anyio.to_thread.run_sync(jobs.close)
+        await anyio.to_thread.run_sync(reader.close)
 
     routes: list[BaseRoute] = [
         call("/api/about", _about, {}, gives=_ABOUT),
         *panel_calls.ROUTES,
         *bsdf_calls.ROUTES,
+        *result_calls.ROUTES,
         *job_calls.ROUTES,
         Call("/api/openapi.json", _described, method="GET"),
         Route("/api/{rest:path}", _Elsewhere()),
@@ -73,6 +81,7 @@ def make_app(settings: Settings) -> Starlette:
         exception_handlers={500: _fault},
     )
     app.state.settings, app.state.jobs, app.state.shelf = settings, jobs, Shelf()
+    app.state.results, app.state.reader, app.state.listing = ResultShelf(), reader, Listing()
     return app
 
 

@@ -16,7 +16,7 @@ from clerestory.studio.answers import refused
 from clerestory.studio.settings import LOOPBACK_NAMES, Settings
 
 #: Paths that take whole files.
-UPLOADS = ("/api/bsdf",)
+UPLOADS = ("/api/bsdf", "/api/result")
 _COOKIE = "clerestory_token"
 _HEADERS = {
     # the page loads nothing from elsewhere and no other page may frame it

@@ -14,6 +14,7 @@ from starlette.responses import Response, StreamingResponse
 
 from clerestory.bsdf import Bsdf
 from clerestory.panels.writing import described
+from clerestory.studio import year_calls
 from clerestory.studio.answers import answer, plain, refused
 from clerestory.studio.bsdf_shelf import Opened
 from clerestory.studio.fields import Field, Fields, checked, shape_of
@@ -78,6 +79,7 @@ KINDS: dict[str, Kind] = {
         _of_panel,
     ),
     "klems": Kind({"panel": PANEL}, _of_panel, _shelve),
+    "year": Kind(year_calls.FIELDS, year_calls.check),
 }
 JOB = record(
     {

@@ -25,10 +25,10 @@ def cases(result: Result) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``columns``: ``name``, ``label``, ``unit``, ``role`` ("parameter", "figure", "error" or "note"), ``values``
+        ``columns``: ``name``, ``label``, ``unit``, ``role`` ("parameter", "figure" or "note"), ``values``
         (numbers or texts) and, of a figure whose standard error is known, ``errors``; ``rows`` and ``rows_in_all``;
-        ``start``: what a page draws first, ``x`` and ``y`` (names) and ``by``; of a design ``front`` (rows, in the order
-        of the first objective), ``best`` (row) and ``objectives``.
+        ``start``: what a page draws first, ``x`` and ``y`` (names) and ``by``; of a design ``front`` (rows, in the
+        order of the first objective), ``best`` (row) and ``objectives``.
     """
     told: dict[str, Any] = result.once("cases", lambda: _cases(result))
     return told
@@ -56,7 +56,7 @@ def _sweep(found: xr.Dataset) -> dict[str, Any]:
             for name in found.coords
             if found[name].dims == ("case",) and name not in ("case", "key", "status") and "path" in found[name].attrs
         ]
-        figures = [str(name) for name in flat.data_vars if name not in parameters]
+        figures = sorted((str(name) for name in flat.data_vars if name not in parameters), key=_rank)
         table = flat.assign_coords({name: found[name] for name in (*parameters, "status")})
     columns = [_column(table, name, "parameter") for name in parameters]
     columns += [_column(table, name, "figure") for name in figures if not name.endswith("_standard_error")]
@@ -99,7 +99,9 @@ def _design(result: Result) -> dict[str, Any]:
 
 def _panel(found: xr.Dataset) -> dict[str, Any]:
     if "row" not in found.dims:
-        keep = [name for name in found.data_vars if set(found[name].dims) <= {"elevation", "azimuth"} and found[name].ndim]
+        keep = [
+            name for name in found.data_vars if set(found[name].dims) <= {"elevation", "azimuth"} and found[name].ndim
+        ]
         found = found[keep].stack(row=[dim for dim in ("elevation", "azimuth") if dim in found.dims]).reset_index("row")
     names = [*(str(one) for one in found.coords if one != "row"), *(str(one) for one in found.data_vars)]
     angles = [name for name in _ANGLES if name in names]
@@ -109,6 +111,13 @@ def _panel(found: xr.Dataset) -> dict[str, Any]:
     y = [name for name in _SHARES if name in figures] or figures[:1]
     by = next((one["name"] for one in columns[1:2] if one["role"] == "parameter" and len(set(one["values"])) > 1), "")
     return _told(columns, {"x": angles[0], "y": y[:1] if by else y, "by": by})
+
+
+def _rank(name: str) -> tuple[int, int, str]:
+    """Figures of a year in the order of its tables, means before the rest."""
+    bare = name.partition(" (")[0]
+    place = next((place for place, figure in enumerate(FIGURES) if figure.name == bare), len(FIGURES))
+    return place, int("mean" not in bare), name
 
 
 def _column(table: xr.Dataset, name: str, role: str) -> dict[str, Any]:
@@ -162,4 +171,3 @@ def _told(columns: list[dict[str, Any]], start: dict[str, Any]) -> dict[str, Any
             if name in one:
                 one[name] = one[name][:MOST_ROWS]
     return {"columns": columns, "rows": min(rows, MOST_ROWS), "rows_in_all": rows, "start": start}
-

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from clerestory.studio.result_metrics import metrics_of, values_of
-from clerestory.studio.result_plans import labels_of
 from clerestory.studio.result_shelf import Result
 from clerestory.year.figures import FIGURES, text_of, value_of
 
@@ -56,7 +55,9 @@ def figures_of_result(result: Result) -> list[dict[str, Any]]:
 
     ``best`` lists the variants that are best; empty where no sense is better or errors do not tell them apart.
     """
-    rows: list[dict[str, Any]] = result.once("figures", lambda: _year(result) if result.kind == "year" else _room(result))
+    rows: list[dict[str, Any]] = result.once(
+        "figures", lambda: _year(result) if result.kind == "year" else _room(result)
+    )
     return rows
 
 
@@ -95,7 +96,13 @@ def _room(result: Result) -> list[dict[str, Any]]:
         values, errors = values_of(result, metric)
         error = None if errors is None else errors.mean("sensor").values
         told = [
-            ("mean", "mean", values.mean("sensor").values, error, "Of all sensors; the error as if all went the same way."),
+            (
+                "mean",
+                "mean",
+                values.mean("sensor").values,
+                error,
+                "Of all sensors; the error as if all went the same way.",
+            ),
             ("median", "median", values.median("sensor").values, None, "Half of the sensors have more."),
             ("least", "least", values.min("sensor").values, None, "Of the darkest sensor."),
             ("most", "most", values.max("sensor").values, None, "Of the brightest sensor."),

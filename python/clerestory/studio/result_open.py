@@ -102,12 +102,10 @@ def settled(found: xr.Dataset, name: str, path: str) -> Result:
 
 def _rows_as_sensors(found: xr.Dataset) -> xr.Dataset:
     """A table of sensors, whose own rows and columns are those of their grid."""
-    columns = {str(one): ("sensor", found[one].values, {}) for one in found.variables}
+    columns: dict[str, Any] = {str(one): ("sensor", found[one].values, {}) for one in found.variables}
     attrs = {"units": "percent", "long_name": "daylight factor, total"}
     places = {one: columns[one] for one in PLACES if one in columns}
-    values = {
-        one: ("sensor", columns[one][1], attrs) for one in ("total", "total_standard_error") if one in columns
-    }
+    values = {one: ("sensor", columns[one][1], attrs) for one in ("total", "total_standard_error") if one in columns}
     return xr.Dataset(values, places, found.attrs)
 
 
@@ -185,7 +183,9 @@ def _rooms(reader: Reader, path: Path, name: str, labels: list[str]) -> Result:
             whole.append(xr.merge(parts, compat="override", join="exact", combine_attrs="drop_conflicts"))
     if not whole:
         raise ClerestoryError(f"{path.name} must lie beside the files of its rooms, got none of them")
-    data = xr.concat(whole, "variant", combine_attrs="drop_conflicts", join="exact", coords="minimal", compat="override")
+    data = xr.concat(
+        whole, "variant", combine_attrs="drop_conflicts", join="exact", coords="minimal", compat="override"
+    )
     return Result("room", path.name, name, data)
 
 

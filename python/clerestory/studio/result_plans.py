@@ -19,6 +19,9 @@ from clerestory.studio.result_shelf import Result
 
 Floats = npt.NDArray[np.float64]
 
+#: Digits of lengths [m] that are drawn.
+_DIGITS = 4
+
 
 def planes_of(result: Result) -> list[dict[str, Any]]:
     """The groups of sensors: their name, how many there are, and whether they are a grid that has a plan."""
@@ -47,8 +50,8 @@ def plan_of(
     -------
     dict
         ``x``, ``y``: where columns and rows lie [m], the window wall of a grid along the facade at y = 0; ``sensors``,
-        the number of the sensor in each cell (row by row, null for none); for each variant ``values`` and ``errors``
-        likewise; ``outline`` of the surface below and ``windows`` as lines, empty where the file does not tell them.
+        the place of each cell's sensor in the result (row by row, null for none); for each variant ``values`` and
+        ``errors`` likewise; ``outline`` of the surface below and ``windows`` as lines, empty where the file does not tell them.
     """
     name = one_of("plane", plane or _first(result), [one["name"] for one in planes_of(result) if one["is_grid"]])
     which = np.flatnonzero(result.data["group"].values == name)
@@ -70,11 +73,11 @@ def plan_of(
         "level": metric.level,
         "plane": name,
         **scale_of(on_plane, metric),
-        "x": np.nanmean(cells(place[:, 0]), axis=0),
-        "y": np.nanmean(cells(place[:, 1]), axis=1),
+        "x": np.round(np.nanmean(cells(place[:, 0]), axis=0), _DIGITS),
+        "y": np.round(np.nanmean(cells(place[:, 1]), axis=1), _DIGITS),
         "outline": outline,
         "windows": windows,
-        "sensors": cells(result.data["sensor"].values[which] if "sensor" in result.data.coords else which).ravel(),
+        "sensors": [None if np.isnan(one) else int(one) for one in cells(which).ravel()],
         "variants": [
             {
                 "label": label,
@@ -178,13 +181,18 @@ def _frame(result: Result, name: str, which: Any) -> tuple[GridFrame, list[Any],
     room: Any = SimpleNamespace(
         surfaces=[SimpleNamespace(name=one, outline_m=outline) for one, outline in surfaces.items()]
     )
-    places = {one: ("sensor", result.data[one].values[which]) for one in ("x_m", "y_m", "z_m", "group", "row", "column")}
+    places = {
+        one: ("sensor", result.data[one].values[which]) for one in ("x_m", "y_m", "z_m", "group", "row", "column")
+    }
     frame = grid_frame(xr.DataArray(np.zeros(len(which)), dims="sensor", coords=places), room)
     below = frame.place(np.array(surfaces[name])) if name in surfaces else np.zeros((0, 2))
     return (
         frame,
-        below.tolist(),
-        [{"name": one, "points": frame.place(np.array(outline)).tolist()} for one, outline in windows.items()],
+        np.round(below, _DIGITS).tolist(),
+        [
+            {"name": one, "points": np.round(frame.place(np.array(outline)), _DIGITS).tolist()}
+            for one, outline in windows.items()
+        ],
     )
 
 
@@ -199,5 +207,7 @@ def _outlines(result: Result) -> tuple[dict[str, Any], dict[str, Any]]:
     except (ValueError, TypeError, AttributeError, RecursionError):
         return {}, {}
     every = [surfaces, windows]
-    kept = [{n: o for n, o in part.items() if o.ndim == 2 and o.shape[1] == 3 and np.isfinite(o).all()} for part in every]
+    kept = [
+        {n: o for n, o in part.items() if o.ndim == 2 and o.shape[1] == 3 and np.isfinite(o).all()} for part in every
+    ]
     return kept[0], kept[1]

@@ -11,6 +11,7 @@ from clerestory.bsdf import Bsdf
 from clerestory.errors import ClerestoryError
 from clerestory.panels import Panel, panel_from_dict
 from clerestory.panels.wavelengths import samples
+from clerestory.studio import year_work
 from clerestory.studio.answers import plain
 
 #: Told of what is done, of how much, and what there is so far.
@@ -92,4 +93,9 @@ def _side(word: str) -> Any:
     return word
 
 
-JOBS: dict[str, Callable[..., Any]] = {"angular": angular, "dispersion": dispersion, "klems": klems}
+JOBS: dict[str, Callable[..., Any]] = {
+    "angular": angular,
+    "dispersion": dispersion,
+    "klems": klems,
+    "year": year_work.year,
+}

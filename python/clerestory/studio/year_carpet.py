@@ -144,9 +144,9 @@ def _series(result: Result, word: str, sensor: Any) -> xr.DataArray:
         lines = result.data[f"{word}_illuminance"]
     else:
         count = result.data.sizes["sensor"]
-        if isinstance(sensor, bool) or not isinstance(sensor, int) or not 0 <= sensor < count:
+        if sensor is None or not 0 <= sensor < count:
             raise ClerestoryError(f"sensor must be a number of 0..{count - 1}, got {sensor!r}")
-        lines = result.data["illuminance"].isel(sensor=sensor)
+        lines = result.data["illuminance"].isel(sensor=int(sensor))
     return lines.transpose("variant", "time").assign_coords(local_time=("time", _clock(result)))
 
 
