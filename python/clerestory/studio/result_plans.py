@@ -51,7 +51,8 @@ def plan_of(
     dict
         ``x``, ``y``: where columns and rows lie [m], the window wall of a grid along the facade at y = 0; ``sensors``,
         the place of each cell's sensor in the result (row by row, null for none); for each variant ``values`` and
-        ``errors`` likewise; ``outline`` of the surface below and ``windows`` as lines, empty where the file does not tell them.
+        ``errors`` likewise; ``outline`` of the surface below and ``windows`` as lines, empty where the file does not
+        tell them.
     """
     name = one_of("plane", plane or _first(result), [one["name"] for one in planes_of(result) if one["is_grid"]])
     which = np.flatnonzero(result.data["group"].values == name)
