@@ -1,0 +1,132 @@
+"""Coefficients that were computed, kept while they are looked at."""
+
+from __future__ import annotations
+
+import hashlib
+import threading
+from collections import OrderedDict
+from dataclasses import dataclass, field
+from typing import Any
+
+from clerestory import _native
+from clerestory.errors import ClerestoryError
+from clerestory.room.sensors import Sensors
+from clerestory.studio.room_asked import AskedRoom
+from clerestory.studio.room_pool import Pool
+
+#: Coefficients kept at once, suns of each, and memory of all.
+_KEPT, _SUNS, _MOST_BYTES = 24, 64, 512 * 2**20
+
+Sun = tuple[float, float]
+
+
+@dataclass(eq=False)
+class Kept:
+    """The coefficients of one plane in one room, as good as they are by now.
+
+    Attributes
+    ----------
+    pool : Pool
+        Parts, sensors and patches; replaced, never changed.
+    suns : mapping of (altitude_deg, azimuth_deg) → Pool
+        Parts, sensors and that one sun.
+    """
+
+    key: str
+    asked: AskedRoom
+    variant: str | None
+    sensors: Sensors
+    basis: str
+    warned: tuple[str, ...] = ()
+    pool: Pool = field(default_factory=Pool)
+    suns: OrderedDict[Sun, Pool] = field(default_factory=OrderedDict)
+
+
+class RoomShelf:
+    """A few planes' coefficients by a key that the same room, plane and basis always have."""
+
+    def __init__(self) -> None:
+        self._kept: OrderedDict[str, Kept] = OrderedDict()
+        self._lock = threading.Lock()
+
+    def place(self, asked: AskedRoom, variant: str | None, sensors: Sensors, basis: str) -> Kept:
+        """Where the coefficients of a plane are kept, new and empty if they are not yet."""
+        key = key_of(asked, variant, sensors, basis)
+        with self._lock:
+            found = self._kept.get(key)
+            if found is None:
+                found = self._kept[key] = Kept(key, asked, variant, sensors, basis)
+            self._kept.move_to_end(key)
+            self._bounded()
+        return found
+
+    def get(self, key: Any) -> Kept:
+        """The coefficients of a key.
+
+        Raises
+        ------
+        ClerestoryError
+            If they are not kept (any more), or not begun.
+        """
+        with self._lock:
+            found = self._kept.get(key) if isinstance(key, str) else None
+            if found is None or not found.pool.batches:
+                raise ClerestoryError("key must be that of a room that was computed: compute it again")
+            self._kept.move_to_end(key)
+            return found
+
+    def add(self, key: str, number: int, pooled: Any) -> Pool | None:
+        """Takes the next pass of a calculation; one that came twice counts once.
+
+        Parameters
+        ----------
+        key : str
+        number : int
+            Of the pass, from 0.
+        pooled : tuple of Batch and float
+            And the seconds of processor time it took.
+        """
+        with self._lock:
+            found = self._kept.get(key)
+            if found is None:
+                return None
+            if number == found.pool.passes:
+                found.pool = found.pool.with_batch(*pooled)
+            self._bounded()
+            return found.pool
+
+    def add_sun(self, key: str, sun: Sun, number: int, pooled: Any) -> Pool | None:
+        """As `add`, of one sun."""
+        with self._lock:
+            found = self._kept.get(key)
+            if found is None:
+                return None
+            pool = found.suns.get(sun, Pool())
+            if number == pool.passes:
+                pool = found.suns[sun] = pool.with_batch(*pooled)
+            found.suns.move_to_end(sun)
+            while len(found.suns) > _SUNS:
+                found.suns.popitem(last=False)
+            return pool
+
+    def sun(self, kept: Kept, sun: Sun) -> Pool:
+        """What is known of one sun, perhaps nothing."""
+        with self._lock:
+            return kept.suns.get(sun, Pool())
+
+    def _bounded(self) -> None:
+        def size() -> int:
+            return sum(one.pool.nbytes for one in self._kept.values())
+
+        while len(self._kept) > 1 and (len(self._kept) > _KEPT or size() > _MOST_BYTES):
+            self._kept.popitem(last=False)
+
+
+def key_of(asked: AskedRoom, variant: str | None, sensors: Sensors, basis: str) -> str:
+    """A hash of everything that coefficients depend on."""
+    made = hashlib.sha256()
+    for part in (_native.__version__, asked.light_key(variant), sensors.name, basis):
+        made.update(part.encode() + b"\0")
+    made.update(sensors.points_m.tobytes())
+    made.update(sensors.normals.tobytes())
+    return made.hexdigest()[:24]
