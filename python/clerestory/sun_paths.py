@@ -10,7 +10,7 @@ import xarray as xr
 
 from clerestory.errors import ClerestoryError
 from clerestory.provenance import provenance
-from clerestory.room.light_walk import GLAZING, SUN, Array, Rays, Surroundings, Walk, WindowFrame, joined, lobes_of
+from clerestory.room.light_walk import GLAZING, SUN, Array, Rays, Surroundings, Walk, WindowFrame, joined
 from clerestory.room.scene import Room
 from clerestory.rules import number, positive
 from clerestory.sun import direction_of
@@ -55,8 +55,6 @@ def sun_paths(
         lit = around.meets(places, np.tile(towards, (len(places), 1)))[1] < 0
         starts.append(_start(walk, window, places[lit], towards, beyond_m))
         begun += [index] * int(lit.sum())
-    for rays, window in zip(starts, [w for w in around.windows.values()], strict=False):
-        pass
     for rays, index in zip(starts, dict.fromkeys(begun), strict=False):
         following = walk.through(rays, list(around.windows.values())[index])
         if following:

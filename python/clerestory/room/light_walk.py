@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from clerestory import _native
+from clerestory.room.material import Material
 from clerestory.room.scene import Room
 from clerestory.room.window import normal_of
 
@@ -80,13 +81,19 @@ class Rays:
         return Rays(**(values | changed))
 
 
+def materials_of(room: Room) -> dict[str, Material]:
+    """Material of each opaque thing by its name."""
+    found = {one.name: one.material for one in room.surfaces}
+    return found | {one.name: one.material for one in room.meshes}
+
+
 class Surroundings:
     """What the rays of a walk meet: the scene with what each of its surfaces does."""
 
     def __init__(self, room: Room) -> None:
         self.room, self.scene = room, room.scene
         self.names, kinds = list(self.scene.surfaces), list(self.scene.kinds)
-        materials = {one.name: one.material for one in (*room.surfaces, *room.meshes)}
+        materials = materials_of(room)
         found = [materials.get(name) for name in self.names]
         self.diffuse = np.array([0.0 if one is None else one.diffuse_reflectance for one in found])
         self.specular = np.array([0.0 if one is None else one.specular_reflectance for one in found])

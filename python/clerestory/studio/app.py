@@ -17,7 +17,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import Receive, Scope, Send
 
 from clerestory import _native
-from clerestory.studio import bsdf_calls, job_calls, panel_calls, result_calls
+from clerestory.studio import bsdf_calls, job_calls, panel_calls, result_calls, room_calls
 from clerestory.studio.answers import answer, refused
 from clerestory.studio.bsdf_shelf import Shelf
 from clerestory.studio.folder import ENDINGS
@@ -29,6 +29,8 @@ from clerestory.studio.requests import Asked, Call, call
 from clerestory.studio.result_listing import Listing
 from clerestory.studio.result_reader import Reader
 from clerestory.studio.result_shelf import ResultShelf
+from clerestory.studio.room_asked import Rooms
+from clerestory.studio.room_shelf import RoomShelf
 from clerestory.studio.settings import Settings
 from clerestory.studio.shapes import TEXT, listed, record, word
 
@@ -69,6 +71,7 @@ def make_app(settings: Settings) -> Starlette:
         *panel_calls.ROUTES,
         *bsdf_calls.ROUTES,
         *result_calls.ROUTES,
+        *room_calls.ROUTES,
         *job_calls.ROUTES,
         Call("/api/openapi.json", _described, method="GET"),
         Route("/api/{rest:path}", _Elsewhere()),
@@ -82,6 +85,7 @@ def make_app(settings: Settings) -> Starlette:
     )
     app.state.settings, app.state.jobs, app.state.shelf = settings, jobs, Shelf()
     app.state.results, app.state.reader, app.state.listing = ResultShelf(), reader, Listing()
+    app.state.rooms, app.state.room_shelf = Rooms(), RoomShelf()
     return app
 
 

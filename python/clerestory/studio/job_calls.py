@@ -14,7 +14,7 @@ from starlette.responses import Response, StreamingResponse
 
 from clerestory.bsdf import Bsdf
 from clerestory.panels.writing import described
-from clerestory.studio import year_calls
+from clerestory.studio import room_jobs, year_calls
 from clerestory.studio.answers import answer, plain, refused
 from clerestory.studio.bsdf_shelf import Opened
 from clerestory.studio.fields import Field, Fields, checked, shape_of
@@ -40,11 +40,14 @@ class Kind:
         before the job waits in line.
     finish : callable, optional
         Makes of the application's state and the result what the page gets.
+    heard : callable, optional
+        Makes of the application's state, the arguments and what there is so far what the page gets of it.
     """
 
     fields: Fields
     check: Callable[[Request, Asked], Asked]
     finish: Callable[[Any, Any], Any] | None = None
+    heard: Callable[[Any, Asked, Any], Any] | None = None
 
 
 def _of_panel(_: Request, asked: Asked) -> Asked:
@@ -80,6 +83,8 @@ KINDS: dict[str, Kind] = {
     ),
     "klems": Kind({"panel": PANEL}, _of_panel, _shelve),
     "year": Kind(year_calls.FIELDS, year_calls.check),
+    "room": Kind(room_jobs.ROOM_FIELDS, room_jobs.asked_room_job, heard=room_jobs.keep_pass),
+    "room_sun": Kind(room_jobs.SUN_FIELDS, room_jobs.asked_sun_job, heard=room_jobs.keep_sun_pass),
 }
 JOB = record(
     {
@@ -110,10 +115,12 @@ def start(request: Request, asked: Asked) -> dict[str, Any]:
     """Puts a job in line: `kind` and its own fields."""
     name = asked.pop("kind")
     kind, jobs, state = KINDS[name], request.app.state.jobs, request.app.state
+    arguments = kind.check(request, asked)
     job: Job = jobs.start(
         name,
-        kind.check(request, asked),
+        arguments,
         lambda result: kind.finish(state, result) if kind.finish else result,
+        lambda partial: kind.heard(state, arguments, partial) if kind.heard else partial,
     )
     return job.told()
 

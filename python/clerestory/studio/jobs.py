@@ -37,6 +37,7 @@ class Job:
     kind: str
     arguments: dict[str, Any]
     finish: Callable[[Any], Any]
+    heard: Callable[[Any], Any]
     key: str = field(default_factory=lambda: secrets.token_urlsafe(9))
     state: str = "waiting"
     done: float = 0.0
@@ -86,7 +87,13 @@ class Jobs:
         self._processes: list[_Process] = []
         self._is_open = True
 
-    def start(self, kind: str, arguments: dict[str, Any], finish: Callable[[Any], Any] = lambda result: result) -> Job:
+    def start(
+        self,
+        kind: str,
+        arguments: dict[str, Any],
+        finish: Callable[[Any], Any] = lambda result: result,
+        heard: Callable[[Any], Any] = lambda partial: partial,
+    ) -> Job:
         """Puts a job in line.
 
         Parameters
@@ -97,6 +104,8 @@ class Jobs:
             Its keyword arguments, which can be sent to another process.
         finish : callable, optional
             Makes what the page gets of what the function returned.
+        heard : callable, optional
+            Makes what the page gets of what there is so far.
 
         Raises
         ------
@@ -108,7 +117,7 @@ class Jobs:
                 raise ClerestoryError("a job must be asked for while the studio runs: start it again")
             if sum(not job.is_over for job in self._jobs.values()) >= self.most_jobs:
                 raise ClerestoryError(f"at most {self.most_jobs} jobs may wait at once: cancel one, or wait")
-            job = Job(kind, arguments, finish)
+            job = Job(kind, arguments, finish, heard)
             self._jobs[job.key] = job
             for key in [key for key, one in self._jobs.items() if one.is_over][: max(0, len(self._jobs) - _KEPT)]:
                 del self._jobs[key]
@@ -219,6 +228,8 @@ class Jobs:
                 value = job.finish(value)
             except Exception as error:
                 word, value = "failed", faults_of(error, job.arguments)
+        elif word == "progress" and value[2] is not None:
+            value = (*value[:2], job.heard(value[2]))
         with self._changed:
             if not job.is_over:
                 if word == "progress":

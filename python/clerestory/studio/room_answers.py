@@ -10,6 +10,7 @@ import numpy as np
 from clerestory.errors import ClerestoryError
 from clerestory.glazing import Glazing, Open, Stack
 from clerestory.panels import Panel
+from clerestory.room.light_walk import materials_of
 from clerestory.room.scene import Room
 from clerestory.room.window import normal_of
 from clerestory.studio.room_asked import AskedRoom
@@ -88,7 +89,7 @@ def kind(glazing: Glazing) -> str:
 
 
 def _surfaces(room: Room, vertices: Any, surface_index: Any) -> list[dict[str, Any]]:
-    materials = {one.name: one.material for one in (*room.surfaces, *room.meshes)}
+    materials = materials_of(room)
     outlines = {one.name: [one.outline_m, *one.holes_m] for one in room.surfaces}
     outlines |= {one.name: [one.outline_m] for one in room.windows}
     found = []

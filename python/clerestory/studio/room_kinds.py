@@ -109,7 +109,7 @@ def skies() -> list[dict[str, Any]]:
 
 
 def room_kinds() -> dict[str, Any]:
-    """Sliders with the ``path`` of their value in the tables, glazings, skies, and the tables of the room shown first."""
+    """Sliders with the ``path`` of their value in the tables, glazings, skies, and where it begins."""
     start = start_tables()
     opening: list[Any] = ["shoebox", "opening", 0]
     groups: list[tuple[list[Any], str, tuple[tuple[str, float, float, float, str], ...]]] = [

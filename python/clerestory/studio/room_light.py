@@ -109,5 +109,3 @@ def sun_pool(shelf: RoomShelf, kept: Kept, sun: Sun, rounds: int) -> Pool:
     batch = sun_pass(kept.asked.room(kept.variant), kept.sensors, sun, known.passes, max(2, rounds - known.rounds))
     added = shelf.add_sun(kept.key, sun, known.passes, (batch, time.thread_time() - cpu))
     return known.with_batch(batch, 0.0) if added is None else added
-
-

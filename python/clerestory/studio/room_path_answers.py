@@ -5,7 +5,6 @@ from __future__ import annotations
 import warnings
 from typing import Any
 
-
 from clerestory.room.scene import Room
 from clerestory.studio.room_numbers import whole
 from clerestory.sun_coefficients import SunWarning
@@ -54,5 +53,3 @@ def paths_of(room: Room, *, altitude_deg: float, azimuth_deg: float, density: An
         "patches": [],
         "warnings": [str(one.message) for one in told if issubclass(one.category, SunWarning)],
     }
-
-

@@ -101,7 +101,7 @@ def _check_count(grid: SensorGrid, room: Room) -> None:
     size = np.linalg.norm(corners.max(axis=0) - corners.min(axis=0))
     if (size / grid.spacing_m) ** 2 > 50 * MOST_SENSORS:
         raise ClerestoryError(
-            f"spacing_m must leave at most {MOST_SENSORS} sensors on a plane, got {grid.spacing_m:g} m over {size:.3g} m"
+            f"spacing_m must leave at most {MOST_SENSORS} sensors on a plane, got {grid.spacing_m:g} m"
         )
 
 
@@ -124,9 +124,7 @@ def _looks_in(room: Room, surface: Surface) -> bool:
     ring = np.sqrt(1.0 - height**2)
     first = (corners[1] - corners[0]) / np.linalg.norm(corners[1] - corners[0])
     second = np.cross(normal, first)
-    looks = height[:, None] * normal + ring[:, None] * (
-        np.cos(turn)[:, None] * first + np.sin(turn)[:, None] * second
-    )
+    looks = height[:, None] * normal + ring[:, None] * (np.cos(turn)[:, None] * first + np.sin(turn)[:, None] * second)
     middle = corners.mean(axis=0)
     free = []
     for side in (1.0, -1.0):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -28,7 +29,7 @@ class Batch:
     rounds : int
     """
 
-    parts: Array
+    parts: npt.NDArray[Any]
     weight: float
     judged: Array
     judged_variance: Array
@@ -64,7 +65,7 @@ class Pool:
         """The pool with one more batch; the two lightest neighbours become one where there are too many."""
         batches = [*self.batches, batch]
         if len(batches) > MOST_BATCHES:
-            pairs = [one.weight + next_one.weight for one, next_one in zip(batches, batches[1:], strict=False)]
+            pairs = [one.weight + other.weight for one, other in pairwise(batches)]
             k = int(np.argmin(pairs))
             batches[k : k + 2] = [batches[k].merged(batches[k + 1])]
         return Pool(tuple(batches), self.passes + 1, self.cpu_seconds + cpu_seconds)

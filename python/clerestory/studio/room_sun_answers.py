@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -12,8 +13,8 @@ from clerestory.errors import ClerestoryError
 from clerestory.glazing_table import build
 from clerestory.room.toml_table import Table
 from clerestory.rules import within
-from clerestory.studio.room_numbers import whole
 from clerestory.site import Site
+from clerestory.studio.room_numbers import whole
 from clerestory.sun import direction_of, sun_position
 
 #: The year that days are of: neither a leap year nor next to one.
@@ -96,9 +97,7 @@ def _way(site: Site, day_of_year: int) -> dict[str, Any]:
 
 @lru_cache(maxsize=32)
 def _year(site: Site) -> dict[str, Any]:
-    seasons = [
-        {"label": label, "day_of_year": day, "points": _way(site, day)["points"]} for day, label in _SEASONS
-    ]
+    seasons = [{"label": label, "day_of_year": day, "points": _way(site, day)["points"]} for day, label in _SEASONS]
     days = np.arange(1, 366, _ANALEMMA_DAYS)
     hours = np.arange(0, 24)
     points = _points(site, np.tile(days, len(hours)), np.repeat(hours, len(days)))
@@ -114,7 +113,7 @@ def _year(site: Site) -> dict[str, Any]:
 def _crossings(site: Site, day: int, way: list[tuple[float, float]]) -> tuple[float | None, float | None]:
     """Hours of sunrise and sunset on a day, to a second or so; None where there is none."""
     found: dict[bool, float] = {}
-    for (h0, a0), (h1, a1) in zip(way, way[1:], strict=False):
+    for (h0, a0), (h1, a1) in pairwise(way):
         rising = a0 <= 0.0 < a1
         if not (rising or a1 <= 0.0 < a0):
             continue

@@ -20,8 +20,10 @@ from clerestory.sun_coefficients import SunWarning, sun_coefficients
 Tell = Callable[..., None]
 
 #: Of the first pass: rounds, points of the room's surfaces, directions through the windows.
-_ROUNDS, _NODES, _SAMPLES = 4, 512, 64
+_ROUNDS, _NODES, _SAMPLES = 2, 512, 64
 _MOST_NODES = 8192
+#: Rounds whose scatter tells something.
+_LEAST_ROUNDS = 8
 #: Passes grow until one takes this long [s].
 _LONG_S = 3.0
 _SUN_ROUNDS, _MOST_SUN_ROUNDS = 4, 64
@@ -56,9 +58,9 @@ def room(
     scene, pool = asked.room(variant), kept
     pace = 0.0
     worst = _told(key, pool, target_relative_error)["worst_relative_error"] if pool.passes else np.inf
-    while pool.passes < 2 or (worst > target_relative_error and pool.rounds < max_rounds):
+    while pool.rounds < _LEAST_ROUNDS or (worst > target_relative_error and pool.rounds < max_rounds):
         started, cpu = time.perf_counter(), time.process_time()
-        nodes = min(_NODES * 2 ** (pool.passes // 2), _MOST_NODES)
+        nodes = min(_NODES * 2 ** (pool.passes // 4), _MOST_NODES)
         while nodes > _NODES and pace * nodes > _LONG_S:
             nodes //= 2
         batch, warned = one_pass(scene, sensors, basis, pool.passes, nodes)
@@ -90,7 +92,7 @@ def room_sun(
     asked = AskedRoom(Path(root), Path(folder), tables, key)
     scene, pool = asked.room(variant), kept
     worst = relative(*reversed(pool.judged()))[0] if pool.passes else np.inf
-    while pool.passes < 2 or (worst > target_relative_error and pool.rounds < max_rounds):
+    while pool.rounds < _LEAST_ROUNDS or (worst > target_relative_error and pool.rounds < max_rounds):
         cpu = time.process_time()
         rounds = min(_SUN_ROUNDS * 2 ** (pool.passes // 2), _MOST_SUN_ROUNDS)
         batch = sun_pass(scene, sensors, sun, pool.passes, rounds)
@@ -115,7 +117,7 @@ def one_pass(room: Room, sensors: Sensors, basis: str, number: int, nodes: int) 
         parts,
         float(_ROUNDS * nodes),
         found.sky_illuminance.values,
-        found.sky_illuminance_standard_error.values ** 2,
+        found.sky_illuminance_standard_error.values**2,
         int(found.attrs["rounds"]),
     )
     return batch, [str(one.message) for one in told if issubclass(one.category, SensorWarning)]

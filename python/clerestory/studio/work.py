@@ -13,6 +13,7 @@ from clerestory.panels import Panel, panel_from_dict
 from clerestory.panels.wavelengths import samples
 from clerestory.studio import year_work
 from clerestory.studio.answers import plain
+from clerestory.studio.room_work import room, room_sun
 
 #: Told of what is done, of how much, and what there is so far.
 Tell = Callable[..., None]
@@ -98,4 +99,6 @@ JOBS: dict[str, Callable[..., Any]] = {
     "dispersion": dispersion,
     "klems": klems,
     "year": year_work.year,
+    "room": room,
+    "room_sun": room_sun,
 }
