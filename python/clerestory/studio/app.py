@@ -17,7 +17,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import Receive, Scope, Send
 
 from clerestory import _native
-from clerestory.studio import bsdf_calls, job_calls, panel_calls, result_calls, room_calls
+from clerestory.studio import bsdf_calls, job_calls, page_calls, panel_calls, result_calls, room_calls
 from clerestory.studio.answers import answer, refused
 from clerestory.studio.bsdf_shelf import Shelf
 from clerestory.studio.folder import ENDINGS
@@ -68,6 +68,7 @@ def make_app(settings: Settings) -> Starlette:
 
     routes: list[BaseRoute] = [
         call("/api/about", _about, {}, gives=_ABOUT),
+        *page_calls.ROUTES,
         *panel_calls.ROUTES,
         *bsdf_calls.ROUTES,
         *result_calls.ROUTES,

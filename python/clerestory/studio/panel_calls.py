@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import tempfile
-import tomllib
 from pathlib import Path
 from typing import Any
 
 import tomli_w
 from starlette.requests import Request
 
-from clerestory.errors import ClerestoryError
 from clerestory.panels import Panel, panel_from_dict
 from clerestory.studio.fields import Field
 from clerestory.studio.panel_answers import lobes_of, section_of
 from clerestory.studio.panel_kinds import media, panel_kinds
 from clerestory.studio.requests import Asked, call
 from clerestory.studio.shapes import FLAG, INTEGER, NUMBER, TABLE, TEXT, listed, record, word
+from clerestory.studio.toml_kinds import toml_of
 
 #: The panel of a question.
 PANEL = Field(
@@ -90,20 +89,6 @@ def to_toml(_: Request, asked: Asked) -> dict[str, Any]:
 def from_toml(_: Request, asked: Asked) -> dict[str, Any]:
     """A panel from the text of its file."""
     return {"panel": panel_from_dict(toml_of(asked["text"])).to_dict()}
-
-
-def toml_of(text: str) -> dict[str, Any]:
-    """The tables of a TOML file's text.
-
-    Raises
-    ------
-    ClerestoryError
-        If it is none; the message says where.
-    """
-    try:
-        return tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise ClerestoryError(f"text must be that of a TOML file: {error}") from None
 
 
 def kinds(_: Request, asked: Asked) -> dict[str, Any]:

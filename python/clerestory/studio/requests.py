@@ -20,7 +20,7 @@ from clerestory.studio.shapes import TABLE, MisshapenError, Shape
 Asked = dict[str, Any]
 
 #: Deepest nesting of lists and tables in a request, and most entries of one of them.
-_DEEPEST, _LONGEST = 8, 4096
+_DEEPEST, _LONGEST = 16, 4096
 
 
 class Call(Route):
@@ -113,7 +113,7 @@ async def body(request: Request) -> Asked:
         raise ClerestoryError("a request must be JSON, got something else") from None
     if not isinstance(value, dict):
         raise ClerestoryError(f"a request must be a JSON object, got {type(value).__name__}")
-    _bounded(value, 0)
+    bounded(value)
     return value
 
 
@@ -121,14 +121,15 @@ def _no_constant(word: str) -> Any:
     raise ValueError(word)
 
 
-def _bounded(value: Any, depth: int) -> None:
+def bounded(value: Any, depth: int = 0) -> None:
+    """Checks that a value nests and lists no more than any real request does."""
     if depth > _DEEPEST:
         raise ClerestoryError(f"a request must nest at most {_DEEPEST} deep, got more")
     if isinstance(value, (list, dict)):
         if len(value) > _LONGEST:
             raise ClerestoryError(f"a list of a request must have at most {_LONGEST} entries, got {len(value)}")
         for one in value.values() if isinstance(value, dict) else value:
-            _bounded(one, depth + 1)
+            bounded(one, depth + 1)
     elif isinstance(value, (int, float)) and not math.isfinite(_double(value)):
         raise ClerestoryError("a number of a request must be one that a computer's 64 bits hold, got a larger one")
 

@@ -1,0 +1,128 @@
+"""The page's state as a file, and files that are opened without saying what they are."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import tomli_w
+from starlette.requests import Request
+
+from clerestory import _native
+from clerestory.errors import ClerestoryError
+from clerestory.panels import panel_from_dict
+from clerestory.studio.fields import Field
+from clerestory.studio.folder import inside
+from clerestory.studio.requests import Asked, call
+from clerestory.studio.shapes import TABLE, TEXT, MisshapenError, Shape, fit, maybe, record, word
+from clerestory.studio.toml_kinds import PAGE, VIEWS, kind_of, toml_of
+
+#: The state of a page: the view that is open, and a table for each view. What is in a table is the page's own, which
+#: takes of it what it knows; the panels, rooms and incidences in it are checked when they are asked about.
+STATE: Shape = record(
+    {"view": TEXT},
+    also={"theme": word("auto", "light", "dark"), "panel": TABLE, "room": TABLE, "year": TABLE, "bsdf": TABLE},
+)
+_TELLS = {
+    "sweep": "A study of many cases: run it with `clerestory sweep FILE`, then open its results under Year.",
+    "design": "A search for a design: run it with `clerestory design FILE`, then open its results under Year.",
+}
+
+
+def to_toml(_: Request, asked: Asked) -> dict[str, Any]:
+    """The state of the page as the text of a file, which `page/read` and `open` read."""
+    tables = {"kind": PAGE, "version": _native.__version__, **_told(asked["state"])}
+    return {"text": tomli_w.dumps(tables)}
+
+
+def from_toml(_: Request, asked: Asked) -> dict[str, Any]:
+    """The state of the page from the text of its file."""
+    return {"state": state_of(toml_of(asked["text"]))}
+
+
+def opened(request: Request, asked: Asked) -> dict[str, Any]:
+    """What a TOML file is, by its `text` or its `path` in the studio's folder, and which view opens it."""
+    path = asked.get("path")
+    if ("text" in asked) == (path is not None):
+        raise MisshapenError("text", "text or path must be given, one of them")
+    text = asked["text"] if path is None else _text(request, path)
+    tables = toml_of(text)
+    kind = kind_of(tables)
+    if kind == "page":
+        tables = state_of(tables)
+    elif kind == "panel":
+        tables = panel_from_dict(tables).to_dict()
+    view = tables["view"] if kind == "page" else VIEWS[kind]
+    return {"kind": kind, "view": view, "tables": tables, "path": path, "tells": _TELLS.get(kind)}
+
+
+def state_of(tables: dict[str, Any]) -> dict[str, Any]:
+    """The state that a page's file holds.
+
+    Raises
+    ------
+    ClerestoryError
+        If it is no such file, or has not its shape.
+    """
+    if tables.get("kind") != PAGE:
+        raise MisshapenError("text", f'text must be the TOML of a page, with kind = "{PAGE}"; open others with Open')
+    state = {name: value for name, value in tables.items() if name not in ("kind", "version")}
+    fit("state", state, STATE)
+    return state
+
+
+def _text(request: Request, path: str) -> str:
+    folder, limit = request.app.state.settings.folder, request.app.state.settings.most_request_bytes
+    found = inside(folder, path)
+    if not found.is_file() or found.stat().st_size > limit:
+        raise ClerestoryError(f"path must be a file of at most {limit} bytes, got {path!r}")
+    try:
+        return found.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        raise ClerestoryError(f"path must be a TOML file in UTF-8, got {path!r}") from None
+
+
+def _told(value: Any) -> Any:
+    """What TOML can say: what is null is left out."""
+    if isinstance(value, dict):
+        return {name: _told(one) for name, one in value.items() if one is not None}
+    if isinstance(value, list):
+        return [_told(one) for one in value if one is not None]
+    return value
+
+
+_FILE = 'kind = "studio-page"\nversion = "0.1.0"\nview = "panel"\n'
+ROUTES = [
+    call(
+        "/api/page/toml",
+        to_toml,
+        {
+            "state": Field(
+                STATE, "State of the page, as its address holds it", example={"view": "panel", "theme": "auto"}
+            )
+        },
+        gives=record({"text": TEXT}),
+    ),
+    call(
+        "/api/page/read",
+        from_toml,
+        {"text": Field(TEXT, "Text of a page's TOML file", example=_FILE)},
+        gives=record({"state": STATE}),
+    ),
+    call(
+        "/api/open",
+        opened,
+        {
+            "text": Field(TEXT, "Text of a TOML file", None, example=_FILE),
+            "path": Field(TEXT, "Path of a TOML file in the studio's folder, with / between names", None),
+        },
+        gives=record(
+            {
+                "kind": word(*VIEWS),
+                "view": maybe(TEXT),
+                "tables": TABLE,
+                "path": maybe(TEXT),
+                "tells": maybe(TEXT),
+            }
+        ),
+    ),
+]
