@@ -16,8 +16,8 @@ export interface Answer<T> {
   isStale: boolean;
 }
 
-/** The answer to the newest question; while it is on its way, the last one. */
-export function useAnswer<T>(path: string, body: unknown): Answer<T> {
+/** The answer to the newest question; while it is on its way, the last one. Asked again when `again` changes. */
+export function useAnswer<T>(path: string, body: unknown, again?: unknown): Answer<T> {
   const [answer, setAnswer] = useState<Answer<T>>({ value: null, faults: [], isStale: true });
   const channel = useRef<Channel<T> | null>(null);
   const text = body === null ? "" : JSON.stringify(body);
@@ -32,7 +32,7 @@ export function useAnswer<T>(path: string, body: unknown): Answer<T> {
   useEffect(() => {
     if (text) channel.current?.put(path, JSON.parse(text));
     else setAnswer({ value: null, faults: [], isStale: false });
-  }, [path, text]);
+  }, [path, text, again]);
   return answer;
 }
 

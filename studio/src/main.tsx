@@ -1,15 +1,27 @@
 // The page: its tabs and the view that is open.
 
 import { render } from "preact";
+import type { FunctionComponent } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { BsdfView } from "./bsdf_view";
 import { useIsDark, useStudio } from "./follow";
 import { PanelView } from "./panel_view";
-import { change, link } from "./state";
+import { change, link, type State } from "./state";
 import "./style.css";
 import { words } from "./words";
 
-const VIEWS = ["panel", "bsdf"];
+const VIEWS = ["panel", "room", "bsdf"];
+
+/** Views with heavy libraries come when they are opened. */
+const LATER: Record<string, () => Promise<FunctionComponent<{ state: State; isDark: boolean }>>> = {
+  room: async () => (await import("./room_view")).RoomView,
+};
+
+function Later({ name, state, isDark }: { name: string; state: State; isDark: boolean }) {
+  const [View, setView] = useState<{ is: FunctionComponent<{ state: State; isDark: boolean }> } | null>(null);
+  useEffect(() => void LATER[name]().then((is) => setView({ is })), [name]);
+  return View ? <View.is state={state} isDark={isDark} /> : <p class="hint big">{words.working} …</p>;
+}
 
 function Page() {
   const state = useStudio();
@@ -57,6 +69,7 @@ function Page() {
       </header>
       <main id="view" role="tabpanel" aria-labelledby={`tab-${view}`}>
         {view === "panel" && <PanelView state={state} isDark={isDark} />}
+        {view in LATER && <Later key={view} name={view} state={state} isDark={isDark} />}
         {view === "bsdf" && <BsdfView state={state} />}
       </main>
     </>

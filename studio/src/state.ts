@@ -1,5 +1,7 @@
 // The page's state: one object, kept in the address so that a link reproduces it.
 
+import { ROOM_START, type RoomState } from "./room_state";
+
 export type Scalar = string | number | boolean | null;
 export type Panel = { kind: string } & Record<string, Scalar | number[]>;
 
@@ -7,6 +9,7 @@ export interface State {
   view: string;
   theme: string;
   panel: { a: Panel; b: Panel; compares: boolean; elevation: number; azimuth: number };
+  room: RoomState;
   bsdf: { path: string; key: string; elevation: number; azimuth: number; side: string; band: string; plane: number };
 }
 
@@ -20,8 +23,12 @@ export const START: State = {
     elevation: 45,
     azimuth: 0,
   },
+  room: ROOM_START,
   bsdf: { path: "", key: "", elevation: 40, azimuth: 0, side: "front", band: "visible", plane: 0 },
 };
+
+/** Parts that stand in the address as one, whatever is in them. */
+const WHOLE = ["room.tables"];
 
 type Tree = { [name: string]: unknown };
 type Listener = () => void;
@@ -75,7 +82,7 @@ function hash(from: State): string {
 function flat(tree: Tree, before = ""): Record<string, string> {
   const found: Record<string, string> = {};
   for (const [name, value] of Object.entries(tree)) {
-    if (value !== null && typeof value === "object" && !Array.isArray(value)) Object.assign(found, flat(value as Tree, `${before}${name}.`));
+    if (value !== null && typeof value === "object" && !Array.isArray(value) && !WHOLE.includes(before + name)) Object.assign(found, flat(value as Tree, `${before}${name}.`));
     else found[before + name] = JSON.stringify(value);
   }
   return found;

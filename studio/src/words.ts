@@ -1,6 +1,9 @@
 // Every word that the page shows, in English.
 
+import { room } from "./words/room";
+
 export const words = {
+  rooms: room,
   title: "Clerestory studio",
   views: { panel: "Panel", room: "Room", year: "Year", bsdf: "BSDF" } as Record<string, string>,
   theme: { label: "Colours", auto: "As the system", light: "Light", dark: "Dark" },

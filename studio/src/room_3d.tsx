@@ -1,0 +1,109 @@
+// The place of the room's picture: three.js comes when it is wanted, hands and keys move the eye, things say what they are.
+
+import { useEffect, useRef, useState } from "preact/hooks";
+import type { Eye } from "./room_eye";
+import { handle } from "./room_hands";
+import type { Met, Stage, Staged } from "./room_stage";
+
+interface Props {
+  staged: Staged;
+  label: string;
+  help: string;
+  waiting: string;
+  missing: string;
+  told: (met: Met) => string;
+  onAspect: (aspect: number) => void;
+  onEye: (eye: Eye) => void;
+  onHour: (hour: number) => void;
+  onPick: (cell: number) => void;
+  onKey: (key: string) => void;
+  /** Takes the function that gives the picture as a canvas. */
+  onReady: (picture: () => HTMLCanvasElement) => void;
+}
+
+export function Room3D(props: Props) {
+  const { staged, label, help, waiting, missing } = props;
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const stage = useRef<Stage | null>(null);
+  const newest = useRef(props);
+  newest.current = props;
+  const [state, setState] = useState<"waiting" | "ready" | "missing">("waiting");
+  const [tip, setTip] = useState<{ text: string; x: number; y: number } | null>(null);
+
+  useEffect(() => {
+    const place = canvas.current as HTMLCanvasElement;
+    let isWanted = true;
+    let leave = () => {};
+    void import("./room_stage").then(({ Stage }) => {
+      if (!isWanted) return;
+      let made: Stage;
+      try {
+        made = new Stage(place);
+      } catch {
+        setState("missing");
+        return;
+      }
+      stage.current = made;
+      const sized = new ResizeObserver(() => {
+        const { clientWidth, clientHeight } = place.parentElement as HTMLElement;
+        if (!clientWidth || !clientHeight) return;
+        made.resize(clientWidth, clientHeight);
+        newest.current.onAspect(clientWidth / clientHeight);
+      });
+      sized.observe(place.parentElement as HTMLElement);
+      const unhand = handle(place, {
+        eye: () => newest.current.staged.eye,
+        stage: () => made,
+        onEye: (eye) => newest.current.onEye(eye),
+        onHour: (hour) => newest.current.onHour(hour),
+        onPick: (cell) => newest.current.onPick(cell),
+        onMeet: (met, x, y) => {
+          const text = newest.current.told(met);
+          setTip(text ? { text, x, y } : null);
+        },
+      });
+      leave = () => {
+        sized.disconnect();
+        unhand();
+        made.close();
+        stage.current = null;
+      };
+      made.show(newest.current.staged);
+      newest.current.onReady(() => made.picture());
+      setState("ready");
+    });
+    return () => {
+      isWanted = false;
+      leave();
+    };
+  }, []);
+  useEffect(() => stage.current?.show(staged));
+
+  if (state === "missing")
+    return (
+      <p class="hint big" role="status">
+        {missing}
+      </p>
+    );
+  return (
+    <div class="stage">
+      <canvas
+        ref={canvas}
+        tabIndex={0}
+        role="img"
+        aria-label={label}
+        aria-describedby="stage-help"
+        onKeyDown={(event) => props.onKey(event.key)}
+      />
+      <span id="stage-help" class="unseen">
+        {help}
+      </span>
+      {state === "waiting" && <p class="hint over">{waiting}</p>}
+      {tip && (
+        <div class="tip" style={{ left: `${tip.x}px`, top: `${tip.y}px` }}>
+          {tip.text}
+        </div>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,38 @@
+// False colours over a plane of the room.
+
+import { Color, Group, type Mesh, SRGBColorSpace } from "three";
+import type { Plane } from "./room_answers";
+import { cividis } from "./colours";
+import type { Look } from "./room_colours";
+import { fan, faces, joined, segments } from "./room_lines";
+import { cellsOf } from "./room_cells";
+import { between, middle } from "./room_space";
+import { type Scale, share } from "./room_scale";
+
+export interface Field {
+  plane: Plane;
+  values: number[];
+  scale: Scale;
+  isStale: boolean;
+  picked: number;
+}
+
+export function drawField(field: Field, look: Look): { group: Group; cells: Mesh } {
+  const group = new Group();
+  const cells = cellsOf(field.plane);
+  const inset = cells.map((corners) => corners.map((corner) => between(corner, middle(corners), 0.045)));
+  const colours = field.values.flatMap((value) => {
+    const colour = new Color().setStyle(cividis(share(field.scale, value)), SRGBColorSpace);
+    return [colour, colour];
+  });
+  const mesh = faces(inset.flatMap((corners) => fan(corners)), colours, { isDouble: true, opacity: field.isStale ? 0.45 : 0.92, lifts: -1 });
+  mesh.renderOrder = 0;
+  group.add(mesh);
+  const picked = cells[field.picked];
+  if (picked) {
+    const ring = segments(joined(picked, true), { colour: look.isDark ? "#ffffff" : "#e8590c", width: 3, isOnTop: true });
+    ring.renderOrder = 6;
+    group.add(ring);
+  }
+  return { group, cells: mesh };
+}

@@ -1,0 +1,100 @@
+// The light in the room: paths from outside to ceiling and on, shafts of sunlight, sunlit patches.
+
+import { AdditiveBlending, Group, type MeshBasicMaterial, NormalBlending } from "three";
+import type { LightBeam, LightPaths, PathKind, RoomWindow, Vec } from "./room_answers";
+import { type Look, pathColour } from "./room_colours";
+import { fan, faces, joined, segments } from "./room_lines";
+import { dot, minus } from "./room_space";
+
+export type LightShown = Record<PathKind, boolean> & { beams: boolean; patches: boolean };
+
+/** Pieces of equal kind and about equal power are drawn as one: opacity and width tell power, by factors of four. */
+const BINS = [0.25, 0.0625, 0.0156, 0.0039, 0];
+const WIDTHS = [2.6, 2, 1.5, 1.2, 1];
+const OPACITIES = [0.9, 0.7, 0.5, 0.36, 0.24];
+/** Light that goes back outside is told more quietly. */
+const OUTSIDE = 0.3;
+
+export function drawLight(light: LightPaths, windows: RoomWindow[], shown: LightShown, look: Look): Group {
+  const group = new Group();
+  const pieces = piecesOf(light, windows).filter((one) => shown[one.kind]);
+  for (const kind of ["reflected", "direct", "redirected"] as const)
+    for (const isOut of [true, false])
+      BINS.forEach((least, bin) => {
+        const own = pieces.filter((one) => one.kind === kind && one.isOut === isOut && one.power >= least && (bin === 0 || one.power < BINS[bin - 1]));
+        if (!own.length) return;
+        const opacity = OPACITIES[bin] * (isOut ? OUTSIDE : 1);
+        const lines = segments(own.map((one) => one.ends), { colour: pathColour(kind, look.isDark), width: WIDTHS[bin], opacity, dash: kind === "reflected" ? [0.1, 0.07] : undefined });
+        lines.renderOrder = 4;
+        group.add(lines);
+      });
+  if (shown.patches) drawPatches(light, look, shown).forEach((one) => group.add(one));
+  if (shown.beams) light.beams.forEach((beam) => isShown(beam, shown) && group.add(drawShaft(beam, look)));
+  return group;
+}
+
+interface Piece {
+  ends: [Vec, Vec];
+  kind: PathKind;
+  power: number;
+  isOut: boolean;
+}
+
+/** What each piece of a path is, and how strong; what paths have in common is there once. */
+function piecesOf(light: LightPaths, windows: RoomWindow[]): Piece[] {
+  const found = new Map<string, Piece>();
+  for (const path of light.paths) {
+    const window = windows.find((one) => one.name === path.window);
+    let bounces = 0;
+    let met = 0;
+    path.points.slice(1).forEach((to, k) => {
+      const from = path.points[k];
+      if (path.stages[k] === "diffuse") bounces++;
+      if (path.stages[k] === "glazing") met++;
+      const kind: PathKind = bounces ? "reflected" : met && path.kind === "redirected" ? "redirected" : "direct";
+      const power = path.segment_power[k] ?? path.power;
+      const isOut = met > 0 && window !== undefined && dot(minus(to, window.outline_m[0]), window.normal) < -0.05;
+      const key = [...from, ...to].map((one) => one.toFixed(3)).join(" ") + kind;
+      const old = found.get(key);
+      found.set(key, { ends: [from, to], kind, power: Math.max(power, old?.power ?? 0), isOut });
+    });
+  }
+  return [...found.values()];
+}
+
+const isShown = (beam: LightBeam, shown: LightShown) => (beam.total_reflections > 0 ? shown.redirected : shown.direct);
+const beamColour = (beam: LightBeam | undefined, look: Look) => pathColour(beam && beam.total_reflections > 0 ? "redirected" : "direct", look.isDark);
+
+/** The sides of a shaft, from the corners of its window to where they land. */
+function drawShaft(beam: LightBeam, look: Look): Group {
+  const group = new Group();
+  const colour = beamColour(beam, look);
+  const sides = beam.corners.flatMap((from, k) => {
+    const to = beam.corners[(k + 1) % beam.corners.length];
+    return fan([from[0], to[0], to[to.length - 1], from[from.length - 1]]);
+  });
+  const mesh = faces(sides, colour, { opacity: (look.isDark ? 0.13 : 0.12) * Math.min(1, 0.35 + beam.power), isDouble: true });
+  (mesh.material as MeshBasicMaterial).blending = look.isDark ? AdditiveBlending : NormalBlending;
+  mesh.renderOrder = 3;
+  group.add(mesh);
+  const edges = segments(beam.corners.map((one): [Vec, Vec] => [one[0], one[one.length - 1]]), { colour, width: 1, opacity: 0.45 });
+  edges.renderOrder = 3;
+  group.add(edges);
+  return group;
+}
+
+function drawPatches(light: LightPaths, look: Look, shown: LightShown): Group[] {
+  const most = Math.max(...light.patches.map((one) => one.illuminance_per_normal), 1e-9);
+  return light.patches.flatMap((patch) => {
+    const beam = light.beams[patch.beam];
+    if (patch.polygon.length < 3 || (beam && !isShown(beam, shown))) return [];
+    const group = new Group();
+    const colour = beamColour(beam, look);
+    const mesh = faces(fan(patch.polygon), colour, { opacity: 0.22 + 0.5 * Math.min(1, patch.illuminance_per_normal / most), isDouble: true, lifts: -2 });
+    mesh.renderOrder = 1;
+    const edges = segments(joined(patch.polygon, true), { colour, width: 1.3, opacity: 0.85 });
+    edges.renderOrder = 1;
+    group.add(mesh, edges);
+    return [group];
+  });
+}

@@ -1,0 +1,67 @@
+// The numbers of a plane with their errors, and how far the work has got.
+
+import type { Doing } from "./follow";
+import { Faults } from "./inputs";
+import type { RoomLight, RoomWork } from "./room_answers";
+import { written } from "./room_scale";
+import { words } from "./words";
+
+const said = words.rooms;
+
+export interface Told {
+  values: number[];
+  errors: number[] | null;
+  mean: number;
+  least: number;
+  most: number;
+  uniformity: number | null;
+  meanError: number | null;
+  uniformityError: number | null;
+}
+
+export function RoomNumbers({ told, unit, light, isStale }: { told: Told | null; unit: string; light: RoomLight | null; isStale: boolean }) {
+  const errorAt = (value: number): number | null => (told?.errors ? (told.errors[told.values.indexOf(value)] ?? null) : null);
+  const cards: [string, string, number | undefined, number | null, string][] = [
+    ["mean", said.mean, told?.mean, told?.meanError ?? null, unit],
+    ["least", said.least, told?.least, told ? errorAt(told.least) : null, unit],
+    ["most", said.most, told?.most, told ? errorAt(told.most) : null, unit],
+    ["uniformity", said.uniformity, told?.uniformity ?? undefined, told?.uniformityError ?? null, ""],
+    ["diffuse", said.outsideDiffuse, light?.outside.diffuse_horizontal_lx, null, "lx"],
+    ["direct", said.outsideDirect, light?.outside.direct_normal_lx, null, "lx"],
+  ];
+  return (
+    <div class={`numbers roomNumbers${isStale ? " stale" : ""}`} aria-live="off">
+      {cards.map(([name, label, value, error, of]) => (
+        <div key={name}>
+          <b data-number={name} data-value={value ?? ""}>
+            {value === undefined ? "…" : written(value)}
+            <small>
+              {error ? ` ± ${written(error)}` : ""} {of}
+            </small>
+          </b>
+          <span>{label}</span>
+        </div>
+      ))}
+    </div>
+  );
+}
+
+export function RoomProgress({ work, target }: { work: Doing<RoomWork>; target: number }) {
+  const isBusy = work.state === "waiting" || work.state === "running";
+  const now = work.isStale ? null : work.value;
+  const error = now ? 100 * now.worst_relative_error : null;
+  // the error falls with the root of the work
+  const share = now ? Math.min(1, (target / Math.max(now.worst_relative_error, 1e-9)) ** 2) : 0;
+  return (
+    <div class="progress roomProgress" role="status" data-rounds={now?.rounds ?? 0} data-error={now?.worst_relative_error ?? ""} data-state={work.state}>
+      <progress value={now ? (now.converged ? 1 : share) : undefined} max={1} aria-label={words.working} />
+      <span>
+        {now && error !== null ? said.round(now.rounds, written(error)) : isBusy ? said.first : ""}
+        {now ? `, ${isBusy ? said.refining : now.converged ? said.reached : said.stoppedAt}` : ""}
+      </span>
+      {isBusy && <button onClick={work.stop}>{said.stop}</button>}
+      {!isBusy && work.state !== "idle" && !(now?.converged ?? false) && <button onClick={work.start}>{said.goOn}</button>}
+      <Faults faults={work.faults} />
+    </div>
+  );
+}

@@ -1,0 +1,62 @@
+// What the room view asks of the server: the room, its sun, its light, the work that refines it.
+
+import { useMemo } from "preact/hooks";
+import { type Answer, type Doing, useAnswer, useJob, useOnce } from "./follow";
+import type { LightPaths, Plane, RoomKinds, RoomLight, RoomScene, RoomWork, SunTold, Tables } from "./room_answers";
+import type { RoomState } from "./room_state";
+
+export interface Asked {
+  kinds: Answer<RoomKinds>;
+  /** The tables of the file alone, and with what was changed. */
+  file: Tables | null;
+  tables: Tables | null;
+  /** As a request says it. */
+  room: { tables: Tables } | { path: string } | null;
+  hasSite: boolean;
+  scene: Answer<RoomScene>;
+  sun: Answer<SunTold>;
+  paths: Answer<LightPaths>;
+  work: Doing<RoomWork>;
+  sunWork: Doing<RoomWork>;
+  light: Answer<RoomLight>;
+  plane: Plane | null;
+}
+
+export function useRoom(state: RoomState): Asked {
+  const kinds = useOnce<RoomKinds>("/api/room/kinds");
+  const isPath = state.file !== "start" && state.file !== "";
+  const read = useAnswer<RoomScene>("/api/room/scene", isPath ? { room: { path: state.file } } : null);
+  const file = isPath ? (read.value?.tables ?? null) : state.file === "start" ? (kinds.value?.start ?? null) : {};
+  const start = kinds.value?.start;
+  const { tables, room, hasSite } = useMemo(() => {
+    if (!file || !start) return { tables: null, room: null, hasSite: true };
+    const told: Tables = { ...file, ...state.tables };
+    const hasSite = Boolean(told.site ?? told.weather);
+    const tables = hasSite ? told : { ...told, site: start.site };
+    return { tables, room: isPath && hasSite && !Object.keys(state.tables).length ? { path: state.file } : { tables }, hasSite };
+  }, [file, start, state.tables, state.file]);
+
+  const variant = state.variant || undefined;
+  const hour = state.minute / 60;
+  const scene = useAnswer<RoomScene>("/api/room/scene", room && { room, variant });
+  const site = scene.value?.site ?? null;
+  const when = { day_of_year: state.day, hour };
+  const sun = useAnswer<SunTold>("/api/room/sun", site && { site, ...when });
+  const paths = useAnswer<LightPaths>("/api/room/paths", room && site && { room, variant, ...when });
+  const names = scene.value?.plane_names ?? [];
+  const plane = names.includes(state.plane) ? state.plane : (names[0] ?? "");
+  const laid = useAnswer<RoomScene>("/api/room/scene", room && plane && plane !== names[0] ? { room, variant, planes: [plane] } : null);
+  const planes = [...(scene.value?.planes ?? []), ...(laid.value?.planes ?? [])];
+  const work = useJob<RoomWork>({ kind: "room", room, variant, surface: plane, target_relative_error: state.error }, Boolean(room && plane));
+  const skies = kinds.value?.skies;
+  const told = skies?.find((one) => one.name === state.sky) ;
+  const sky = told ? ("luminous_turbidity" in told.sky ? { ...told.sky, luminous_turbidity: state.turbidity } : told.sky) : { kind: "weather", path: state.sky };
+  const question = work.value?.key && skies ? { key: work.value.key, ...when, sky } : null;
+  // the sun's light is refined once the time has stood still
+  const sunWork = useJob<RoomWork>({ kind: "room_sun", ...question, target_relative_error: state.error }, Boolean(question && sun.value?.is_up && hasSun(told)));
+  const light = useAnswer<RoomLight>("/api/room/light", question, `${work.value?.rounds} ${sunWork.isStale ? "" : sunWork.value?.rounds}`);
+  return { kinds, file, tables, room, hasSite, scene: isPath && !room ? read : scene, sun, paths, work, sunWork, light, plane: planes.find((one) => one.name === plane) ?? null };
+}
+
+/** Whether a sky lets the sun through, as far as the page can tell before it asks. */
+const hasSun = (sky: { sky: Tables } | undefined) => sky?.sky.kind !== "overcast";

@@ -1,0 +1,78 @@
+// The ground with its compass, the paths of the sun over the site, and the sun.
+
+import { CircleGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, SphereGeometry } from "three";
+import type { SunTold, Vec } from "./room_answers";
+import type { Look } from "./room_colours";
+import { joined, label, segments } from "./room_lines";
+import type { Dome } from "./room_eye";
+import { plus } from "./room_space";
+
+export interface DomeWords {
+  compass: [string, string, string, string];
+  hour: (hour: number) => string;
+}
+
+export function drawGround(dome: Dome, look: Look, words: DomeWords): Group {
+  const group = new Group();
+  const [cx, cy, cz] = dome.centre;
+  const disc = new Mesh(new CircleGeometry(1.06 * dome.radius, 96), new MeshBasicMaterial({ color: look.disc, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 6, polygonOffsetUnits: 6 }));
+  disc.position.set(cx, cy, cz - 0.02);
+  disc.renderOrder = -2;
+  group.add(disc);
+  const at = (deg: number, share: number): Vec => {
+    const turn = (deg * Math.PI) / 180;
+    return [cx + Math.sin(turn) * dome.radius * share, cy + Math.cos(turn) * dome.radius * share, cz];
+  };
+  const ring = Array.from({ length: 121 }, (_, k) => at(3 * k, 1));
+  group.add(segments(joined(ring), { colour: look.hair, width: 1.2 }));
+  const ticks = Array.from({ length: 36 }, (_, k): [Vec, Vec] => [at(10 * k, k % 9 ? 0.985 : 0.955), at(10 * k, 1)]);
+  group.add(segments(ticks, { colour: look.hair, width: 1.2 }));
+  words.compass.forEach((letter, k) => group.add(label(letter, at(90 * k, 1.09), k ? look.faint : look.ink, look.ground, 15, k ? 500 : 700)));
+  return group;
+}
+
+/** Paths of the day, of the solstices and equinoxes, and of each hour through the year, above the horizon. */
+export function drawSunPaths(sun: SunTold, dome: Dome, look: Look, words: DomeWords): Group {
+  const group = new Group();
+  const on = (direction: Vec): Vec => plus(dome.centre, direction, dome.radius);
+  const isUp = (pair: { altitude_deg: number }[]) => pair.every((one) => one.altitude_deg > -0.9);
+  const arc = (places: { altitude_deg: number; direction: Vec }[]): [Vec, Vec][] =>
+    places.slice(1).flatMap((to, k): [Vec, Vec][] => (isUp([places[k], to]) ? [[on(places[k].direction), on(to.direction)]] : []));
+  const put = (pairs: [Vec, Vec][], width: number, colour: string, opacity: number) => pairs.length && group.add(segments(pairs, { colour, width, opacity }));
+  put(sun.analemmas.flatMap((one) => arc(one.points)), 1, look.hair, 0.55);
+  put(sun.seasons.flatMap((one) => arc(one.points)), 1.3, look.faint, 0.75);
+  for (const season of sun.seasons) {
+    const top = highest(season.points);
+    if (top && top.altitude_deg > 3) group.add(label(season.label, plus(on(top.direction), [0, 0, 1], 0.05 * dome.radius), look.faint, look.ground, 11, 400));
+  }
+  put(arc(sun.day), 3.2, look.sun, 1);
+  for (const hour of sun.day) {
+    if (hour.altitude_deg < 0 || Math.abs(hour.hour - Math.round(hour.hour)) > 1e-6) continue;
+    const dot = new Mesh(new SphereGeometry(0.011 * dome.radius, 10, 8), new MeshBasicMaterial({ color: look.sun }));
+    dot.position.set(...on(hour.direction));
+    group.add(dot);
+    if (hour.hour % 3 === 0) group.add(label(words.hour(hour.hour), plus(dome.centre, hour.direction, 1.07 * dome.radius), look.ink, look.ground, 11, 500));
+  }
+  return group;
+}
+
+export function drawSun(sun: SunTold, dome: Dome, look: Look, aim: Vec): Group {
+  const group = new Group();
+  const at = plus(dome.centre, sun.direction, dome.radius);
+  const dim = sun.is_up ? 1 : 0.3;
+  const ball = new Mesh(new SphereGeometry(0.042 * dome.radius, 24, 16), new MeshBasicMaterial({ color: look.sun, transparent: dim < 1, opacity: dim }));
+  ball.position.set(...at);
+  ball.userData.isSun = true;
+  const halo = new Mesh(new SphereGeometry(0.075 * dome.radius, 24, 16), new MeshBasicMaterial({ color: look.sun, transparent: true, opacity: 0.25 * dim, depthWrite: false }));
+  halo.position.copy(ball.position);
+  halo.userData.isSun = true;
+  group.add(ball, halo);
+  if (sun.is_up) {
+    group.add(segments([[at, aim]], { colour: look.sun, width: 1.4, opacity: 0.8, dash: [0.02 * dome.radius, 0.015 * dome.radius] }));
+    const foot: Vec = [at[0], at[1], dome.centre[2]];
+    group.add(segments([[at, foot], [foot, dome.centre]], { colour: look.faint, width: 1, opacity: 0.45, dash: [0.012 * dome.radius, 0.012 * dome.radius] }));
+  }
+  return group;
+}
+
+const highest = <T extends { altitude_deg: number }>(points: T[]): T | undefined => [...points].sort((a, b) => b.altitude_deg - a.altitude_deg)[0];

@@ -1,0 +1,188 @@
+// The room's picture in WebGL: drawn again only when something has changed.
+
+import { Group, type Mesh, OrthographicCamera, PerspectiveCamera, Raycaster, Scene, type Sprite, Vector2, Vector3, WebGLRenderer } from "three";
+import type { LightPaths, RoomScene, RoomWindow, SunTold, Vec } from "./room_answers";
+import type { Look } from "./room_colours";
+import { type Dome, domeOf, type Eye, HALF_VIEW_DEG, place } from "./room_eye";
+import { drawField, type Field } from "./room_field";
+import { drawLight, type LightShown } from "./room_light";
+import { discard } from "./room_lines";
+import { type DomeWords, drawGround, drawSun, drawSunPaths } from "./room_sky_dome";
+import { drawRoom } from "./room_solids";
+import { middle } from "./room_space";
+
+export interface Shown extends LightShown {
+  sunPath: boolean;
+  field: boolean;
+}
+export interface Staged {
+  scene: RoomScene | null;
+  sun: SunTold | null;
+  light: LightPaths | null;
+  field: Field | null;
+  shown: Shown;
+  eye: Eye;
+  look: Look;
+  words: DomeWords;
+}
+export type Met = { kind: "sun" } | { kind: "cell"; cell: number } | { kind: "window"; window: RoomWindow } | null;
+
+type Part = "room" | "ground" | "paths" | "sun" | "light" | "field";
+
+export class Stage {
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly wide = new PerspectiveCamera(2 * HALF_VIEW_DEG, 1, 0.05, 2000);
+  private readonly flat = new OrthographicCamera();
+  private readonly parts = new Map<Part, { group: Group; from: unknown[] }>();
+  private cells: Mesh | null = null;
+  private staged: Staged | null = null;
+  private size: [number, number] = [1, 1];
+  private waiting = 0;
+  /** How often the picture was drawn, for those who count. */
+  drawn = 0;
+
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    canvas.addEventListener("webglcontextrestored", () => this.ask());
+  }
+
+  resize(wide: number, high: number) {
+    if (wide === this.size[0] && high === this.size[1]) return;
+    this.size = [wide, high];
+    this.renderer.setSize(wide, high, false);
+    this.ask();
+  }
+
+  show(staged: Staged) {
+    this.staged = staged;
+    const { scene, sun, light, field, shown, look, words } = staged;
+    const dome = scene && domeOf(scene);
+    this.part("ground", [scene, look], () => dome && drawGround(dome, look, words));
+    this.part("room", [scene, look], () => scene && drawRoom(scene, look));
+    const days = sun && shown.sunPath ? JSON.stringify([sun.day, sun.seasons.map((one) => one.points[0])]) : "";
+    this.part("paths", [scene, look, days], () => dome && sun && shown.sunPath && drawSunPaths(sun, dome, look, words));
+    this.part("sun", [scene, look, sun, shown.sunPath], () => dome && sun && shown.sunPath && drawSun(sun, dome, look, aim(scene)));
+    this.part("light", [light, scene, look, JSON.stringify(shown)], () => light && scene && drawLight(light, scene.windows, shown, look));
+    const isFieldShown = shown.field && field && field.values.length === field.plane.points_m.length;
+    this.part("field", [field?.plane, field?.values, JSON.stringify(field?.scale), field?.isStale, field?.picked, isFieldShown, look], () => {
+      this.cells = null;
+      if (!isFieldShown) return null;
+      const made = drawField(field, look);
+      this.cells = made.cells;
+      return made.group;
+    });
+    this.ask();
+  }
+
+  /** Draws before the next picture of the screen, once. */
+  private ask() {
+    if (!this.waiting) this.waiting = requestAnimationFrame(() => this.draw());
+  }
+
+  private part(name: Part, from: unknown[], make: () => Group | null | false | undefined | "") {
+    const old = this.parts.get(name);
+    if (old && old.from.length === from.length && old.from.every((one, k) => one === from[k])) return;
+    if (old) discard(old.group);
+    const group = make() || new Group();
+    this.scene.add(group);
+    this.parts.set(name, { group, from });
+  }
+
+  private camera() {
+    const { eye } = this.staged as Staged;
+    const [wide, high] = this.size;
+    const camera = eye.isFlat ? this.flat : this.wide;
+    const [turn, tilt] = [(eye.turn * Math.PI) / 180, (eye.tilt * Math.PI) / 180];
+    camera.up.set(-Math.sin(turn) * Math.sin(tilt), -Math.cos(turn) * Math.sin(tilt), Math.cos(tilt));
+    camera.position.set(...place(eye.isFlat ? { ...eye, far: 400 } : eye));
+    camera.lookAt(...eye.at);
+    if (camera === this.flat) {
+      const half = eye.far * Math.tan((HALF_VIEW_DEG * Math.PI) / 180);
+      [this.flat.top, this.flat.bottom, this.flat.right, this.flat.left] = [half, -half, (half * wide) / high, (-half * wide) / high];
+      [this.flat.near, this.flat.far] = [0, 1500];
+    } else {
+      this.wide.aspect = wide / high;
+      [this.wide.near, this.wide.far] = [eye.far / 200, eye.far * 20 + 300];
+    }
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+    return camera;
+  }
+
+  private draw() {
+    this.waiting = 0;
+    if (!this.staged) return;
+    const camera = this.camera();
+    const high = this.size[1];
+    // words keep their height in pixels
+    const tall = camera === this.flat ? (2 * this.flat.top) / high : (2 * Math.tan((HALF_VIEW_DEG * Math.PI) / 180)) / high;
+    this.scene.traverse((one) => {
+      const pixels = one.userData.pixels as [number, number] | undefined;
+      if (pixels) (one as Sprite).scale.set(pixels[0] * tall, pixels[1] * tall, 1);
+    });
+    this.renderer.render(this.scene, camera);
+    this.drawn++;
+    this.canvas.dataset.drawn = String(this.drawn);
+  }
+
+  /** What is at a place of the picture, from −1 to 1 across and up: the sun, a cell, a window part. */
+  meet(x: number, y: number): Met {
+    if (!this.staged) return null;
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2(x, y), this.camera());
+    const sun = this.parts.get("sun")?.group;
+    if (sun && ray.intersectObjects(sun.children.filter((one) => one.userData.isSun)).length) return { kind: "sun" };
+    const room = this.parts.get("room")?.group.children.flatMap((one) => one.children) ?? [];
+    const panes = room.filter((one) => one.userData.window);
+    const first = ray.intersectObjects([...panes, ...(this.cells ? [this.cells] : [])], false)[0];
+    if (!first) return null;
+    if (first.object === this.cells) return { kind: "cell", cell: Math.floor((first.faceIndex ?? 0) / 2) };
+    return { kind: "window", window: first.object.userData.window as RoomWindow };
+  }
+
+  /** The hour of the day's arc that is nearest to a place of the picture. */
+  hourAt(x: number, y: number): number | null {
+    const { scene, sun } = this.staged ?? {};
+    if (!scene || !sun) return null;
+    const camera = this.camera();
+    const dome = domeOf(scene);
+    let best: { hour: number; far: number } | null = null;
+    const places = sun.day.filter((one) => one.altitude_deg > -1).map((one) => ({ hour: one.hour, at: this.onScreen(one.direction, dome, camera) }));
+    for (let k = 0; k + 1 < places.length; k++) {
+      const [a, b] = [places[k], places[k + 1]];
+      const way = b.at.clone().sub(a.at);
+      const along = Math.min(1, Math.max(0, new Vector2(x, y).sub(a.at).dot(way) / Math.max(way.lengthSq(), 1e-12)));
+      const far = a.at.clone().addScaledVector(way, along).distanceTo(new Vector2(x, y));
+      if (!best || far < best.far) best = { hour: a.hour + along * (b.hour - a.hour), far };
+    }
+    return best?.hour ?? null;
+  }
+
+  private onScreen(direction: Vec, dome: Dome, camera: PerspectiveCamera | OrthographicCamera): Vector2 {
+    const at = new Vector3(...dome.centre).addScaledVector(new Vector3(...direction), dome.radius).project(camera);
+    return new Vector2(at.x, at.y);
+  }
+
+  /** The picture as it is, on a ground of its own. */
+  picture(): HTMLCanvasElement {
+    this.draw();
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [this.canvas.width, this.canvas.height];
+    const pen = copy.getContext("2d") as CanvasRenderingContext2D;
+    pen.fillStyle = this.staged?.look.ground ?? "#fff";
+    pen.fillRect(0, 0, copy.width, copy.height);
+    pen.drawImage(this.canvas, 0, 0);
+    return copy;
+  }
+
+  close() {
+    cancelAnimationFrame(this.waiting);
+    for (const { group } of this.parts.values()) discard(group);
+    this.renderer.dispose();
+  }
+}
+
+/** Where the line from the sun ends: in the middle of the windows. */
+const aim = (scene: RoomScene): Vec => (scene.windows.length ? middle(scene.windows.flatMap((one) => one.outline_m)) : middle(scene.inside_m));

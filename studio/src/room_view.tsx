@@ -1,0 +1,176 @@
+// The room: its picture in 3D with the light of the hour, its numbers, its plan and section.
+
+import { useMemo, useRef, useState } from "preact/hooks";
+import type { About } from "./answers";
+import { useOnce } from "./follow";
+import { Faults } from "./inputs";
+import { Room3D } from "./room_3d";
+import type { RoomScene } from "./room_answers";
+import { DARK, glassColour, isCut, LIGHT } from "./room_colours";
+import { RoomControls } from "./room_controls";
+import { type Eye, EYES, type EyeName, eyeOf, rounded } from "./room_eye";
+import type { Field } from "./room_field";
+import { RoomFigures } from "./room_figures";
+import { RoomLegend } from "./room_legend";
+import { RoomNumbers, RoomProgress } from "./room_numbers";
+import { captioned } from "./room_picture";
+import { useRoom } from "./room_questions";
+import { scaleOf, written } from "./room_scale";
+import { ShowControls, SkyControls } from "./room_show";
+import type { Met } from "./room_stage";
+import type { RoomState } from "./room_state";
+import { RoomTime } from "./room_time";
+import { toldOf } from "./room_told";
+import { saveFile } from "./save";
+import { change, type State } from "./state";
+import { words } from "./words";
+import { ColourBar } from "./room_draw_plan";
+
+const said = words.rooms;
+const SPOT: Eye = { turn: 120, tilt: 24, far: 20, at: [2, 4, 1.5], isFlat: false };
+const put = (values: Partial<RoomState>) => change("room", values);
+
+export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
+  const room = state.room;
+  const asked = useRoom(room);
+  const about = useOnce<About>("/api/about");
+  const { scene, sun, paths, light, work, plane } = asked;
+  const [aspect, setAspect] = useState(1.8);
+  const picture = useRef<(() => HTMLCanvasElement) | null>(null);
+  const look = isDark ? DARK : LIGHT;
+  const unit = said.units[room.quantity] ?? "lx";
+
+  const told = useMemo(() => toldOf(light.value, room.quantity), [light.value, room.quantity]);
+  const scale = useMemo(() => told && scaleOf(told.values, room.isLog, room.low, room.high), [told, room.isLog, room.low, room.high]);
+  const isStale = work.isStale || light.faults.length > 0;
+  const isMatching = plane !== null && told !== null && light.value?.plane === plane.name && told.values.length === plane.points_m.length;
+  const field: Field | null = isMatching && scale ? { plane, values: told.values, scale, isStale, picked: room.picked } : null;
+  const eye = useMemo(() => eyeFrom(room, scene.value, aspect), [room.view, room.eye, scene.value, aspect]);
+  const staged = {
+    scene: scene.value,
+    sun: sun.value,
+    light: sun.value?.is_up ? paths.value : null,
+    field,
+    shown: { direct: room.straight, redirected: room.redirected, reflected: room.reflected, beams: room.beams, patches: room.patches, sunPath: room.sunPath, field: room.field },
+    eye,
+    look,
+    words: { compass: said.compass, hour: (hour: number) => `${hour} h` },
+  };
+  const when = `${said.date(room.day)}, ${said.clock(room.minute)}`;
+  const sunWords = sun.value ? (sun.value.is_up ? said.sunUp(sun.value.altitude_deg, sun.value.azimuth_deg) : said.sunDown) : "";
+  const numbers = told && plane ? said.numbersText(plane.name, written(told.mean), written(told.least), written(told.most), unit) : said.noNumbers;
+  const title = scene.value?.name ?? said.room;
+  const setView = (name: EyeName) => put({ view: name, eye: [] });
+  const tell = (met: Met): string => {
+    if (met?.kind === "window") return `${met.window.name}: ${met.window.glazing}`;
+    if (met?.kind === "cell" && told) return sensorTold(met.cell);
+    return met?.kind === "sun" ? sunWords : "";
+  };
+  const sensorTold = (sensor: number): string => {
+    if (!told || !plane?.points_m[sensor]) return "";
+    const error = told.errors?.[sensor];
+    return `${error === undefined || error === null ? `${written(told.values[sensor])} ${unit}` : said.sensor(written(told.values[sensor]), written(error), unit)} (${plane.points_m[sensor].map((one) => one.toFixed(2)).join(", ")})`;
+  };
+  const png = () => {
+    const made = picture.current?.();
+    if (!made) return;
+    const shown = (["direct", "redirected", "reflected"] as const).filter((kind) => room[kind === "direct" ? "straight" : kind]);
+    const caption = {
+      title,
+      lines: [`${when} · ${sunWords}`, numbers],
+      legend: shown.map((kind) => ({ kind, text: said.lines[kind] })),
+      bar: field && room.field ? { scale: field.scale, unit, title: said.quantities[room.quantity] } : null,
+    };
+    captioned(made, caption, look).toBlob((blob) => blob && saveFile("room.png", blob));
+  };
+  const toml = about.value?.files.filter((file) => file.kind === "toml").map((file) => file.path) ?? [];
+  const weathers = about.value?.files.filter((file) => file.kind === "weather" || file.path.endsWith(".epw")).map((file) => file.path) ?? [];
+  const faults = [...scene.faults, ...sun.faults, ...paths.faults, ...light.faults].filter((fault, k, all) => all.findIndex((one) => one.message === fault.message) === k);
+  return (
+    <div class="view roomView">
+      <aside class="side" aria-label={said.room}>
+        <RoomControls state={state} asked={asked} files={toml} isDark={isDark} faults={faults} />
+        <SkyControls state={state} asked={asked} weathers={weathers} />
+        <ShowControls state={state} asked={asked} />
+      </aside>
+      <div class="main">
+        <section class="figure roomFigure" aria-label={said.picture}>
+          <header>
+            <div class="views" role="group" aria-label={said.viewsLabel}>
+              {EYES.map((name) => (
+                <button key={name} aria-pressed={room.view === name} onClick={() => setView(name)}>
+                  {said.views[name]}
+                </button>
+              ))}
+              <button aria-label={said.closer} title={said.closer} onClick={() => putEye({ ...eye, far: eye.far / 1.2 })}>
+                +
+              </button>
+              <button aria-label={said.farther} title={said.farther} onClick={() => putEye({ ...eye, far: eye.far * 1.2 })}>
+                −
+              </button>
+            </div>
+            <span class="hint dragHint">{said.drag}</span>
+            <div class="saves" role="group" aria-label={`${words.exports}: ${said.picture}`}>
+              <button onClick={png}>PNG</button>
+            </div>
+          </header>
+          <div class="stageHolder">
+            <Room3D
+              staged={staged}
+              label={said.pictureText(title, when, sunWords, numbers)}
+              help={said.pictureHelp}
+              waiting={said.drawing}
+              missing={said.noWebgl}
+              told={tell}
+              onAspect={setAspect}
+              onEye={putEye}
+              onHour={(hour) => put({ minute: Math.min(1435, Math.max(0, Math.round((60 * hour) / 5) * 5)) })}
+              onPick={(cell) => put({ picked: cell === room.picked ? -1 : cell })}
+              onKey={(key) => /^[1-5]$/.test(key) && setView(EYES[Number(key) - 1])}
+              onReady={(made) => (picture.current = made)}
+            />
+            <div class="stageTitle">
+              <b>{title}</b>
+              <span>
+                {when} · {sunWords}
+              </span>
+            </div>
+            {field && room.field && (
+              <svg class="drawing bar" viewBox="-8 0 266 38" role="img" aria-label={said.quantities[room.quantity]}>
+                <ColourBar scale={field.scale} unit={unit} wide={240} />
+              </svg>
+            )}
+            <div class="windowParts" role="list" aria-label={said.windowParts}>
+              {scene.value?.windows.map((window) => (
+                <span key={window.name} role="listitem">
+                  <i class={`swatch${isCut(window.kind) ? " cut" : ""}`} style={{ "--swatch": glassColour(window.kind, isDark) }} /> {window.name}: {window.glazing}
+                </span>
+              ))}
+            </div>
+          </div>
+          <RoomTime day={room.day} minute={room.minute} sun={sun.value} />
+          <RoomLegend room={room} isDark={isDark} onChange={put} />
+        </section>
+        <RoomNumbers told={told} unit={unit} light={light.value} isStale={isStale} />
+        <RoomProgress work={work} target={room.error} />
+        <Faults faults={asked.sunWork.faults} />
+        {scene.value && plane && isMatching && scale && (
+          <RoomFigures room={room} scene={scene.value} plane={plane} told={told} scale={scale} unit={unit} light={light.value} isStale={isStale} sensorTold={sensorTold} onChange={put} />
+        )}
+      </div>
+    </div>
+  );
+}
+
+const putEye = (to: Eye) => {
+  const { turn, tilt, far, at, isFlat } = rounded(to);
+  put({ view: "", eye: [turn, tilt, far, ...at, Number(isFlat)] });
+};
+
+/** The eye of the state: one of those ready-made for this room, or one's own. */
+function eyeFrom(room: RoomState, scene: RoomScene | null, aspect: number): Eye {
+  const own = room.eye;
+  if (!room.view && own.length === 7 && own.every((one) => Number.isFinite(one))) return rounded({ turn: own[0], tilt: own[1], far: own[2], at: [own[3], own[4], own[5]], isFlat: own[6] === 1 });
+  const name = EYES.find((one) => one === room.view) ?? "overview";
+  return scene ? eyeOf(name, scene, aspect) : SPOT;
+}
