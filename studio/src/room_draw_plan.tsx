@@ -33,6 +33,7 @@ export function DrawPlan({ plane, flat, values, scale, unit, picked, isStale, ha
   const shift = (WIDE - (right - left) * size) / 2;
   const px = ([x, y]: Point): Point => [shift + (x - left) * size, EDGE + (high - y) * size];
   const path = (points: Point[], closes: boolean) => `M${points.map((one) => px(one).map((at) => at.toFixed(1)).join(" ")).join("L")}${closes ? "Z" : ""}`;
+  const named: Point[] = [];
   const levels = ticks(scale, 6).filter((one) => one > scale.low && one < scale.high);
   const key = (event: KeyboardEvent) => {
     const to = beside(flat, picked, event.key);
@@ -65,14 +66,16 @@ export function DrawPlan({ plane, flat, values, scale, unit, picked, isStale, ha
             const pieces = isoline(plane, flat, values, level);
             if (!pieces.length) return null;
             const at = px(pieces[Math.floor(pieces.length / 2)][0]);
+            const isNamed = named.every((other) => Math.hypot(other[0] - at[0], 2 * (other[1] - at[1])) > 46);
+            if (isNamed) named.push(at);
             const isBright = share(scale, level) > 0.55;
             const colour = isBright ? "#10161c" : "#ffffff";
             return (
               <g key={level} pointer-events="none">
                 <path d={pieces.map((piece) => path(piece, false)).join("")} fill="none" stroke={colour} stroke-width={1.4} />
-                <text class="iso" x={at[0]} y={at[1]} fill={colour} style={{ fill: colour, stroke: cividis(share(scale, level)) }} stroke={cividis(share(scale, level))} stroke-width={4} paint-order="stroke" font-size={12} text-anchor="middle" dominant-baseline="central">
+                {isNamed && <text class="iso" x={at[0]} y={at[1]} fill={colour} style={{ fill: colour, stroke: cividis(share(scale, level)) }} stroke={cividis(share(scale, level))} stroke-width={4} paint-order="stroke" font-size={12} text-anchor="middle" dominant-baseline="central">
                   {written(level)}
-                </text>
+                </text>}
               </g>
             );
           })}
@@ -89,8 +92,9 @@ export function DrawPlan({ plane, flat, values, scale, unit, picked, isStale, ha
 
 /** A bar of colours with its ticks, as part of a drawing. */
 export function ColourBar({ scale, unit, wide }: { scale: Scale; unit: string; wide: number }) {
-  const marks = ticks(scale, 6);
   const at = (value: number) => share(scale, value) * wide;
+  // words need room
+  const marks = ticks(scale, wide < 400 ? 4 : 6).filter((mark, k, all) => k === 0 || at(mark) - at(all[k - 1]) > 34);
   return (
     <g>
       {Array.from({ length: 48 }, (_, k) => (

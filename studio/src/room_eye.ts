@@ -27,6 +27,7 @@ export function domeOf(scene: RoomScene): Dome {
   return { centre: [at[0], at[1], Math.min(low[2], 0)], radius: 0.66 * long(minus(high, low)) };
 }
 
+const DISC = 0.75;
 const RAD = Math.PI / 180;
 
 export function place(eye: Eye): Vec {
@@ -54,16 +55,16 @@ export function eyeOf(name: EyeName, scene: RoomScene, aspect: number): Eye {
   const high3 = size[2];
   const oblique = turned(plus(plus([0, 0, 0], side, Math.cos(32 * RAD)), out, -Math.sin(32 * RAD)));
   const { centre, radius } = domeOf(scene);
-  // the whole dome and its disc: from −R sin t to R, seen at a tilt t
-  const tilt = 22;
+  // the dome, seen at a tilt t, is from R above its centre to R sin t below it; of the disc before it a part is enough
+  const tilt = 20;
   const sin = Math.sin(tilt * RAD);
-  const all: Eye = { turn: oblique, tilt, far: far(2.3 * radius, 1.1 * radius * (1 + sin)), at: centre, isFlat: false };
+  const all: Eye = { turn: oblique, tilt, far: far(2.2 * radius, 1.2 * radius * (1 + DISC * sin)), at: centre, isFlat: false };
   const eyes: Record<EyeName, Eye> = {
-    overview: moved(all, 0, 0.5 * radius * (1 - sin)),
-    facade: { turn: turned(out), tilt: 8, far: far(1.5 * along, 1.7 * high3) + deep / 2, at, isFlat: false },
+    overview: moved(all, 0, 0.5 * radius * (1 - DISC * sin)),
+    facade: { turn: turned(out), tilt: 8, far: far(1.3 * along, 1.45 * high3) + deep / 2, at, isFlat: false },
     section: { turn: turned(side), tilt: 0, far: far(1.5 * deep, 1.35 * high3), at: plus(at, out, 0.14 * deep), isFlat: true },
     plan: { turn: turned(side), tilt: 90, far: far(1.25 * deep, 1.25 * along), at, isFlat: true },
-    back: { turn: turned(plus([0, 0, 0], out, -1)), tilt: 6, far: far(1.35 * along, 1.6 * high3) + deep / 2, at, isFlat: false },
+    back: { turn: turned(plus([0, 0, 0], out, -1)), tilt: 6, far: far(1.2 * along, 1.3 * high3) + deep / 2, at, isFlat: false },
   };
   return rounded(eyes[name]);
 }

@@ -1,7 +1,7 @@
 // False colours over a plane of the room.
 
 import { Color, Group, type Mesh, SRGBColorSpace } from "three";
-import type { Plane } from "./room_answers";
+import type { Plane, Vec } from "./room_answers";
 import { cividis } from "./colours";
 import type { Look } from "./room_colours";
 import { fan, faces, joined, segments } from "./room_lines";
@@ -28,6 +28,8 @@ export function drawField(field: Field, look: Look): { group: Group; cells: Mesh
   const mesh = faces(inset.flatMap((corners) => fan(corners)), colours, { isDouble: true, opacity: field.isStale ? 0.45 : 0.92, lifts: -1 });
   mesh.renderOrder = 0;
   group.add(mesh);
+  // seen from its edge a plane is a line
+  group.add(segments(rim(cells), { colour: look.edge, width: 1.4, opacity: 0.9 }));
   const picked = cells[field.picked];
   if (picked) {
     const ring = segments(joined(picked, true), { colour: look.isDark ? "#ffffff" : "#e8590c", width: 3, isOnTop: true });
@@ -35,4 +37,15 @@ export function drawField(field: Field, look: Look): { group: Group; cells: Mesh
     group.add(ring);
   }
   return { group, cells: mesh };
+}
+
+/** Edges that belong to one cell alone. */
+function rim(cells: Vec[][]): [Vec, Vec][] {
+  const seen = new Map<string, { ends: [Vec, Vec]; times: number }>();
+  for (const corners of cells)
+    for (const ends of joined(corners, true)) {
+      const key = ends.map((one) => one.map((x) => Math.round(1000 * x)).join(" ")).sort().join(",");
+      seen.set(key, { ends, times: (seen.get(key)?.times ?? 0) + 1 });
+    }
+  return [...seen.values()].filter((one) => one.times === 1).map((one) => one.ends);
 }

@@ -13,7 +13,9 @@ const BINS = [0.25, 0.0625, 0.0156, 0.0039, 0];
 const WIDTHS = [2.6, 2, 1.5, 1.2, 1];
 const OPACITIES = [0.9, 0.7, 0.5, 0.36, 0.24];
 /** Light that goes back outside is told more quietly. */
-const OUTSIDE = 0.3;
+const OUTSIDE = 0.35;
+/** Light on its way to the windows is drawn as this share of the strongest. */
+const COMING = 0.2;
 
 export function drawLight(light: LightPaths, windows: RoomWindow[], shown: LightShown, look: Look): Group {
   const group = new Group();
@@ -52,7 +54,7 @@ function piecesOf(light: LightPaths, windows: RoomWindow[]): Piece[] {
       if (path.stages[k] === "diffuse") bounces++;
       if (path.stages[k] === "glazing") met++;
       const kind: PathKind = bounces ? "reflected" : met && path.kind === "redirected" ? "redirected" : "direct";
-      const power = path.segment_power[k] ?? path.power;
+      const power = met ? (path.segment_power[k] ?? path.power) : COMING;
       const isOut = met > 0 && window !== undefined && dot(minus(to, window.outline_m[0]), window.normal) < -0.05;
       const key = [...from, ...to].map((one) => one.toFixed(3)).join(" ") + kind;
       const old = found.get(key);

@@ -1,6 +1,6 @@
 // Lines, words and faces for a scene of three.js.
 
-import { BufferGeometry, CanvasTexture, type Color, DoubleSide, Float32BufferAttribute, LinearFilter, type Material, Mesh, MeshBasicMaterial, type Object3D, Sprite, SpriteMaterial, SRGBColorSpace } from "three";
+import { BufferGeometry, CanvasTexture, type Color, DoubleSide, Float32BufferAttribute, type Material, Mesh, MeshBasicMaterial, type Object3D, Sprite, SpriteMaterial, SRGBColorSpace } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -49,7 +49,7 @@ export const fan = (corners: Vec[]): number[][] => corners.slice(2).map((corner,
 
 /** Words that always face the eye, of a height in pixels at a picture of 600. */
 export function label(text: string, at: Vec, colour: string, halo: string, size = 13, weight = 500): Sprite {
-  const scale = 4;
+  const scale = 2 * Math.min(devicePixelRatio, 2);
   const canvas = document.createElement("canvas");
   const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
   const font = `${weight} ${size * scale}px system-ui, "Segoe UI", Roboto, Arial, sans-serif`;
@@ -67,9 +67,7 @@ export function label(text: string, at: Vec, colour: string, halo: string, size 
   pen.fillText(text, canvas.width / 2, canvas.height / 2);
   const map = new CanvasTexture(canvas);
   map.colorSpace = SRGBColorSpace;
-  map.minFilter = LinearFilter;
-  map.generateMipmaps = false;
-  const sprite = new Sprite(new SpriteMaterial({ map, sizeAttenuation: false, depthTest: false, transparent: true }));
+  const sprite = new Sprite(new SpriteMaterial({ map, sizeAttenuation: false, transparent: true, depthWrite: false }));
   sprite.userData.pixels = [canvas.width / scale, canvas.height / scale];
   sprite.position.set(...at);
   sprite.renderOrder = 10;

@@ -60,7 +60,7 @@ function stepOf(rough: number): number {
 export function written(value: number): string {
   if (!Number.isFinite(value)) return "–";
   if (value !== 0 && Math.abs(value) < 0.005) return value.toExponential(1);
-  const digits = Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : 2;
+  const digits = Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : Math.abs(value) >= 1 ? 2 : 3;
   const text = value.toLocaleString("en", { maximumFractionDigits: digits, useGrouping: false });
   return text.length > 4 && Math.abs(value) >= 10_000 ? text.replace(/\B(?=(\d{3})+$)/g, "\u202f") : text;
 }

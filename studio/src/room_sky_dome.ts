@@ -1,11 +1,13 @@
 // The ground with its compass, the paths of the sun over the site, and the sun.
 
 import { CircleGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, SphereGeometry } from "three";
-import type { SunTold, Vec } from "./room_answers";
+import type { SunHour, SunTold, Vec } from "./room_answers";
 import type { Look } from "./room_colours";
 import { joined, label, segments } from "./room_lines";
 import type { Dome } from "./room_eye";
 import { plus } from "./room_space";
+
+const NAMED_DEG = 38;
 
 export interface DomeWords {
   compass: [string, string, string, string];
@@ -39,11 +41,12 @@ export function drawSunPaths(sun: SunTold, dome: Dome, look: Look, words: DomeWo
   const arc = (places: { altitude_deg: number; direction: Vec }[]): [Vec, Vec][] =>
     places.slice(1).flatMap((to, k): [Vec, Vec][] => (isUp([places[k], to]) ? [[on(places[k].direction), on(to.direction)]] : []));
   const put = (pairs: [Vec, Vec][], width: number, colour: string, opacity: number) => pairs.length && group.add(segments(pairs, { colour, width, opacity }));
-  put(sun.analemmas.flatMap((one) => arc(one.points)), 1, look.hair, 0.55);
-  put(sun.seasons.flatMap((one) => arc(one.points)), 1.3, look.faint, 0.75);
+  put(sun.analemmas.flatMap((one) => arc(one.points)), 1, look.hair, 0.45);
+  const others = sun.seasons.filter((one) => !isSame(one.points, sun.day));
+  put(others.flatMap((one) => arc(one.points)), 1.2, look.faint, 0.6);
   for (const season of sun.seasons) {
-    const top = highest(season.points);
-    if (top && top.altitude_deg > 3) group.add(label(season.label, plus(on(top.direction), [0, 0, 1], 0.05 * dome.radius), look.faint, look.ground, 11, 400));
+    const there = named(season.points);
+    if (there) group.add(label(season.label, plus(dome.centre, there.direction, 1.05 * dome.radius), look.faint, look.ground, 11, 400));
   }
   put(arc(sun.day), 3.2, look.sun, 1);
   for (const hour of sun.day) {
@@ -75,4 +78,12 @@ export function drawSun(sun: SunTold, dome: Dome, look: Look, aim: Vec): Group {
   return group;
 }
 
-const highest = <T extends { altitude_deg: number }>(points: T[]): T | undefined => [...points].sort((a, b) => b.altitude_deg - a.altitude_deg)[0];
+/** Whether two days' paths would be drawn upon one another. */
+const isSame = (a: SunHour[], b: SunHour[]) => a.every((one, k) => Math.abs(one.altitude_deg - (b[k]?.altitude_deg ?? 0)) < 0.4);
+
+/** Where an arc has its name: in the afternoon at a height where arcs are apart, or as high as it gets. */
+function named(points: SunHour[]): SunHour | undefined {
+  const up = points.filter((one) => one.altitude_deg > 3);
+  const after = up.slice(up.findIndex((one) => one.altitude_deg === Math.max(...up.map((other) => other.altitude_deg))));
+  return after.sort((a, b) => Math.abs(a.altitude_deg - NAMED_DEG) - Math.abs(b.altitude_deg - NAMED_DEG))[0];
+}

@@ -61,9 +61,10 @@ export class Stage {
     const dome = scene && domeOf(scene);
     this.part("ground", [scene, look], () => dome && drawGround(dome, look, words));
     this.part("room", [scene, look], () => scene && drawRoom(scene, look));
-    const days = sun && shown.sunPath ? JSON.stringify([sun.day, sun.seasons.map((one) => one.points[0])]) : "";
-    this.part("paths", [scene, look, days], () => dome && sun && shown.sunPath && drawSunPaths(sun, dome, look, words));
-    this.part("sun", [scene, look, sun, shown.sunPath], () => dome && sun && shown.sunPath && drawSun(sun, dome, look, aim(scene)));
+    const hasDome = shown.sunPath && !staged.eye.isFlat;
+    const days = sun && hasDome ? JSON.stringify([sun.day, sun.seasons.map((one) => one.points[0])]) : "";
+    this.part("paths", [scene, look, days], () => dome && sun && hasDome && drawSunPaths(sun, dome, look, words));
+    this.part("sun", [scene, look, sun, hasDome], () => dome && sun && hasDome && drawSun(sun, dome, look, aim(scene)));
     this.part("light", [light, scene, look, JSON.stringify(shown)], () => light && scene && drawLight(light, scene.windows, shown, look));
     const isFieldShown = shown.field && field && field.values.length === field.plane.points_m.length;
     this.part("field", [field?.plane, field?.values, JSON.stringify(field?.scale), field?.isStale, field?.picked, isFieldShown, look], () => {

@@ -140,6 +140,7 @@ export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
                 <ColourBar scale={field.scale} unit={unit} wide={240} />
               </svg>
             )}
+            <Compass turn={eye.turn} />
             <div class="windowParts" role="list" aria-label={said.windowParts}>
               {scene.value?.windows.map((window) => (
                 <span key={window.name} role="listitem">
@@ -159,6 +160,22 @@ export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
         )}
       </div>
     </div>
+  );
+}
+
+/** Where north is in the picture: straight up when one looks north. */
+function Compass({ turn }: { turn: number }) {
+  return (
+    <svg class="compass" viewBox="-24 -24 48 48" aria-hidden="true">
+      <circle r={20} />
+      <g transform={`rotate(${180 - turn})`}>
+        <path d="M0 -15L5 4H-5Z" class="north" />
+        <path d="M0 15L5 4H-5Z" />
+        <text y={-16.5} text-anchor="middle">
+          {said.compass[0]}
+        </text>
+      </g>
+    </svg>
   );
 }
 
