@@ -67,6 +67,7 @@ if TYPE_CHECKING:
     from clerestory.sky import CieSky, PerezSky, sky_basis
     from clerestory.sun import sun_position
     from clerestory.sun_coefficients import SunWarning, sun_coefficients
+    from clerestory.sun_paths import sun_paths
     from clerestory.sunlight import direct_normal_illuminance_lx
     from clerestory.sweep import read_sweep, run_sweep
     from clerestory.weather import (
@@ -180,6 +181,7 @@ __all__ = [
     "sun_coefficients",
     "sun_illuminance",
     "sun_normal_illuminance_lx",
+    "sun_paths",
     "sun_placement_difference",
     "sun_position",
     "uniformity",
@@ -280,6 +282,7 @@ _PLACES = {
     "CieSky": "clerestory.sky",
     "PerezSky": "clerestory.sky",
     "sky_basis": "clerestory.sky",
+    "sun_paths": "clerestory.sun_paths",
     "sun_position": "clerestory.sun",
     "SunWarning": "clerestory.sun_coefficients",
     "sun_coefficients": "clerestory.sun_coefficients",

@@ -9,13 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from clerestory import _native
-from clerestory.room.material import Material
-from clerestory.room.scene import Room
-from clerestory.room.window import normal_of
-
-Array = npt.NDArray[np.float64]
-Indices = npt.NDArray[np.int64]
+from clerestory.room.surroundings import Array, Indices, Surroundings, WindowFrame, tangents
 
 SUN, GLAZING, MIRROR, DIFFUSE, INTERFACE, SKY = "sun", "glazing", "mirror", "diffuse", "interface", "sky"
 """What a vertex of a path is."""
@@ -24,26 +18,6 @@ SUN, GLAZING, MIRROR, DIFFUSE, INTERFACE, SKY = "sun", "glazing", "mirror", "dif
 _MOST_STEPS = 16
 #: Rays at once; the strongest are followed.
 _MOST_RAYS = 20_000
-
-
-@dataclass(frozen=True, eq=False)
-class WindowFrame:
-    """A window's axes as rows (right, up, into the room), its plane, and what fills it."""
-
-    name: str
-    surface: int
-    axes: Array
-    corner: Array
-    outline: Array
-    glazing: _native.Glazing
-
-    def inward(self, directions: Array) -> Array:
-        """World directions in the window's axes."""
-        return np.asarray(directions @ self.axes.T)
-
-    def outward(self, directions: Array) -> Array:
-        """Directions of the window's axes in the world's."""
-        return np.asarray(directions @ self.axes)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,77 +55,6 @@ class Rays:
         return Rays(**(values | changed))
 
 
-def materials_of(room: Room) -> dict[str, Material]:
-    """Material of each opaque thing by its name."""
-    found = {one.name: one.material for one in room.surfaces}
-    return found | {one.name: one.material for one in room.meshes}
-
-
-class Surroundings:
-    """What the rays of a walk meet: the scene with what each of its surfaces does."""
-
-    def __init__(self, room: Room) -> None:
-        self.room, self.scene = room, room.scene
-        self.names, kinds = list(self.scene.surfaces), list(self.scene.kinds)
-        materials = materials_of(room)
-        found = [materials.get(name) for name in self.names]
-        self.diffuse = np.array([0.0 if one is None else one.diffuse_reflectance for one in found])
-        self.specular = np.array([0.0 if one is None else one.specular_reflectance for one in found])
-        self.is_window = np.array([kind == "window" for kind in kinds])
-        self.is_interface = np.array([kind == "interface" for kind in kinds])
-        self.normal = np.full((len(self.names), 3), np.nan)
-        for surface in room.surfaces:
-            self.normal[self.names.index(surface.name)] = normal_of(np.array(surface.outline_m))
-        self.windows = {frame.surface: frame for frame in self._frames()}
-        for index, frame in self.windows.items():
-            self.normal[index] = frame.axes[2]
-        corners = np.asarray(self.scene.triangles()[0]).reshape(-1, 3)
-        self.low, self.high = corners.min(axis=0), corners.max(axis=0)
-        #: how far a ray starts off the surface that it leaves [m]
-        self.step = 1e-7 * (1.0 + float(np.abs(corners).max()))
-
-    def _frames(self) -> Iterator[WindowFrame]:
-        for window in self.room.windows:
-            outline = np.array(window.outline_m)
-            inwards = normal_of(outline)
-            level = abs(inwards[2]) > 1.0 - 1e-10
-            up = np.array(window.up if window.up is not None else (0.0, 1.0, 0.0) if level else (0.0, 0.0, 1.0))
-            up = up - (up @ inwards) * inwards
-            up /= np.linalg.norm(up)
-            axes = np.stack([np.cross(up, inwards), up, inwards])
-            native = window.glazing.glazing()
-            yield WindowFrame(window.name, self.names.index(window.name), axes, outline[0], outline, native)
-
-    def meets(self, origin: Array, direction: Array) -> tuple[Array, Indices]:
-        """Distance and surface that each ray meets first, -1 the sky, off what it starts on."""
-        distance, surface = self.scene.closest(origin + self.step * direction, direction)
-        return np.asarray(distance) + self.step, np.asarray(surface, dtype=np.int64)
-
-    def normals(self, rays: Rays, distance: Array, surface: Indices) -> Array:
-        """Unit normals where rays met surfaces, against the rays; of meshes from three close rays."""
-        found = self.normal[surface].copy()
-        curved = np.isnan(found[:, 0])
-        if curved.any():
-            found[curved] = self._slopes(rays.at(curved), distance[curved])
-        facing = (found * rays.direction).sum(axis=1) > 0.0
-        found[facing] *= -1.0
-        return found
-
-    def _slopes(self, rays: Rays, distance: Array) -> Array:
-        across, along = tangents(rays.direction)
-        near = 1e-4 * np.maximum(distance, 1e-2)[:, None]
-        places = [rays.origin + distance[:, None] * rays.direction]
-        for aside in (across, along):
-            start = rays.origin + near * aside
-            reach, _ = self.meets(start, rays.direction)
-            off = np.abs(reach - distance) < 100.0 * near[:, 0]
-            reach = np.where(off, reach, distance)
-            places.append(start + reach[:, None] * rays.direction)
-        normal = np.cross(places[1] - places[0], places[2] - places[0])
-        length = np.linalg.norm(normal, axis=1, keepdims=True)
-        return np.asarray(np.where(length > 0.0, normal / np.where(length > 0.0, length, 1.0), -rays.direction))
-
-
 class Walk:
     """Paths as a tree of vertices: each knows where its light came from.
 
@@ -187,6 +90,20 @@ class Walk:
         self.mirrored = np.concatenate([self.mirrored, rays.mirrored])
         return np.arange(first, first + len(position))
 
+    def chains(self) -> Indices:
+        """Vertices of each path from its beginning to its end, -1 beyond: (path, vertex)."""
+        row = np.setdiff1d(np.arange(len(self.parent)), self.parent)
+        back = []
+        while (row >= 0).any():
+            back.append(row)
+            row = np.where(row >= 0, self.parent[row], -1)
+        found = np.stack(back, axis=1) if back else np.empty((0, 0), dtype=np.int64)
+        count = (found >= 0).sum(axis=1)
+        places = np.arange(found.shape[1])
+        # turned round, so that every path begins in the first column
+        turned = np.take_along_axis(found, np.maximum(count[:, None] - 1 - places, 0), axis=1)
+        return np.where(places < count[:, None], turned, -1)
+
     def follow(self, rays: Rays) -> None:
         """Follows light until it is weak, absorbed or outside."""
         for _ in range(_MOST_STEPS):
@@ -220,7 +137,7 @@ class Walk:
         if len(here) == 0:
             return
         around = self.around
-        normal = around.normals(before, distance, surface)
+        normal = around.normals(before.origin, before.direction, distance, surface)
         specular = here.power * around.specular[surface]
         shines = (specular >= self.least_power) & (here.bounces == 0)
         if shines.any():
@@ -247,23 +164,15 @@ class Walk:
         made: list[Rays] = []
         if len(here) == 0:
             return made
-        incident, which = np.unique(window.inward(here.direction).round(12), axis=0, return_inverse=True)
-        which = which.ravel()
+        incident, which = np.unique(here.direction.round(12), axis=0, return_inverse=True)
         for index, way in enumerate(incident):
-            rows = np.flatnonzero(which == index)
+            rows = np.flatnonzero(which.ravel() == index)
             own = here.at(rows)
-            way = way / np.linalg.norm(way)
-            for leaves, power, turned in lobes_of(window.glazing, way, self.least_power):
-                made.append(
-                    own.at(
-                        slice(None),
-                        direction=np.tile(window.outward(leaves), (len(rows), 1)),
-                        power=own.power * power,
-                        turned=own.turned + turned,
-                    )
-                )
+            for leaves, power, turned in window.lobes(way, self.least_power):
+                ways = np.tile(leaves, (len(rows), 1))
+                made.append(own.at(slice(None), direction=ways, power=own.power * power, turned=own.turned + turned))
             if window.glazing.spreads:
-                made.append(self._scattered(own, way, window))
+                made.append(self._scattered(own, window.inward(way), window))
         return made
 
     def _scattered(self, own: Rays, way: Array, window: WindowFrame) -> Rays:
@@ -275,25 +184,9 @@ class Walk:
         return own.at(leaves, direction=window.outward(drawn[leaves]), power=own.power[leaves] * share)
 
 
-def lobes_of(glazing: _native.Glazing, way: Array, least_power: float) -> Iterator[tuple[Array, float, int]]:
-    """Direction, share and total reflections of each beam that leaves, strongest first."""
-    directions, powers, turned, _, _ = glazing.lobes(np.ascontiguousarray(way[None]))
-    for k in np.argsort(-np.asarray(powers), kind="stable"):
-        if powers[k] >= least_power:
-            yield directions[k], float(powers[k]), int(turned[k])
-
-
 def joined(rays: list[Rays]) -> Rays:
     """All of several groups."""
     return Rays(**{name: np.concatenate([getattr(one, name) for one in rays]) for name in Rays.__dataclass_fields__})
-
-
-def tangents(normals: Array) -> tuple[Array, Array]:
-    """Two unit vectors across each of some."""
-    helper = np.where(np.abs(normals[:, 2:]) < 0.9, [[0.0, 0.0, 1.0]], [[1.0, 0.0, 0.0]])
-    across = np.cross(helper, normals)
-    across /= np.linalg.norm(across, axis=1, keepdims=True)
-    return across, np.cross(normals, across)
 
 
 def well_spread(first: int, count: int) -> Array:

@@ -138,7 +138,7 @@ class SensorGrid:
         lines = [_positions(flat[:, k].min(), flat[:, k].max(), self.spacing_m, margin) for k in (0, 1)]
         row, column = np.meshgrid(np.arange(len(lines[1])), np.arange(len(lines[0])), indexing="ij")
         places = np.stack([lines[0][column.ravel()], lines[1][row.ravel()]], axis=1)
-        keep = _inside(places, flat) & (_distance(places, flat) >= margin - 1e-9)
+        keep = inside_outline(places, flat) & (_distance(places, flat) >= margin - 1e-9)
         if not keep.any():
             raise ClerestoryError(
                 f"spacing_m and offset_m of the grid on {self.surface!r} must leave room for a sensor, "
@@ -164,8 +164,8 @@ def _positions(low: float, high: float, spacing: float, margin: float) -> Points
     return np.asarray((low + high) / 2.0 + spacing * (np.arange(steps + 1) - steps / 2.0))
 
 
-def _inside(places: Points, corners: Points) -> npt.NDArray[np.bool_]:
-    """Even-odd rule."""
+def inside_outline(places: Points, corners: Points) -> npt.NDArray[np.bool_]:
+    """Which places of a plane lie within an outline, by the even-odd rule."""
     inside = np.zeros(len(places), dtype=bool)
     for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True):
         crosses = (a[1] > places[:, 1]) != (b[1] > places[:, 1])

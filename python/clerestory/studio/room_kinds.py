@@ -88,11 +88,6 @@ def glazings() -> list[dict[str, Any]]:
             "table": {"kind": "stack", "layers": ["glass", "laser-cut-panel"]},
         },
         {"name": "prismatic-sheet", "label": "Prismatic sheet", "table": prisms},
-        {
-            "name": "prisms-behind-glass",
-            "label": "Prismatic sheet behind glass",
-            "table": {"kind": "stack", "layers": ["glass", "prismatic-sheet"]},
-        },
         {"name": "open", "label": "Open", "table": {"kind": "open"}},
     ]
 
