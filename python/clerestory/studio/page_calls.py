@@ -14,7 +14,7 @@ from clerestory.studio.fields import Field
 from clerestory.studio.folder import inside
 from clerestory.studio.requests import Asked, call
 from clerestory.studio.shapes import TABLE, TEXT, MisshapenError, Shape, fit, maybe, record, word
-from clerestory.studio.toml_kinds import PAGE, VIEWS, kind_of, toml_of
+from clerestory.studio.toml_kinds import KINDS, PAGE, kind_of, toml_of
 
 #: The state of a page: the view that is open, and a table for each view. What is in a table is the page's own, which
 #: takes of it what it knows; the panels, rooms and incidences in it are checked when they are asked about.
@@ -22,7 +22,11 @@ STATE: Shape = record(
     {"view": TEXT},
     also={"theme": word("auto", "light", "dark"), "panel": TABLE, "room": TABLE, "year": TABLE, "bsdf": TABLE},
 )
+#: The view that opens a file; the year's runs what lies in the folder, and of any other the room is shown.
+_VIEWS = {"panel": "panel", "room": "room", "year": "room"}
 _TELLS = {
+    "year": "The study of a year: its room is shown. To run it, put its file into the studio's folder and choose it "
+    "under Year.",
     "sweep": "A study of many cases: run it with `clerestory sweep FILE`, then open its results under Year.",
     "design": "A search for a design: run it with `clerestory design FILE`, then open its results under Year.",
 }
@@ -51,8 +55,14 @@ def opened(request: Request, asked: Asked) -> dict[str, Any]:
         tables = state_of(tables)
     elif kind == "panel":
         tables = panel_from_dict(tables).to_dict()
-    view = tables["view"] if kind == "page" else VIEWS[kind]
-    return {"kind": kind, "view": view, "tables": tables, "path": path, "tells": _TELLS.get(kind)}
+    is_study = kind == "year" and path is not None
+    return {
+        "kind": kind,
+        "view": tables["view"] if kind == "page" else "year" if is_study else _VIEWS.get(kind),
+        "tables": tables,
+        "path": path,
+        "tells": None if is_study else _TELLS.get(kind),
+    }
 
 
 def state_of(tables: dict[str, Any]) -> dict[str, Any]:
@@ -117,7 +127,7 @@ ROUTES = [
         },
         gives=record(
             {
-                "kind": word(*VIEWS),
+                "kind": word(*KINDS),
                 "view": maybe(TEXT),
                 "tables": TABLE,
                 "path": maybe(TEXT),

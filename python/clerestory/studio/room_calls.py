@@ -9,7 +9,6 @@ from starlette.requests import Request
 
 from clerestory.errors import ClerestoryError
 from clerestory.studio.fields import Field
-from clerestory.studio.panel_calls import toml_of
 from clerestory.studio.requests import Asked, call
 from clerestory.studio.room_answers import scene_of
 from clerestory.studio.room_asked import asked_room
@@ -20,6 +19,7 @@ from clerestory.studio.room_sky import moment_of
 from clerestory.studio.room_sun_answers import altitude_azimuth, asked_site, checked_angles, moment
 from clerestory.studio.room_sun_answers import sun_of as sun_course
 from clerestory.studio.shapes import INTEGER, NUMBER, TABLE, TEXT, listed
+from clerestory.studio.toml_kinds import toml_of
 
 _EXAMPLE = {"tables": start_tables()}
 #: The room of a question, and which of its variants.

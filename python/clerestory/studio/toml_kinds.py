@@ -14,15 +14,8 @@ from clerestory.studio.shapes import MisshapenError
 
 #: ``kind`` of the file that holds the state of a page.
 PAGE = "studio-page"
-#: Kind of file → the view of the page that opens it; none for what only the command line runs.
-VIEWS: dict[str, str | None] = {
-    "page": None,
-    "panel": "panel",
-    "room": "room",
-    "year": "year",
-    "sweep": None,
-    "design": None,
-}
+#: What a TOML file may be.
+KINDS = ("page", "panel", "room", "year", "sweep", "design")
 _ROOM = {"shoebox", "surface", "window", "mesh", "radiance", "interface", "sensors", "obstruction"}
 _YEAR = {"weather", "schedule", "blinds", "lighting"}
 
