@@ -1,6 +1,7 @@
 // The page's state: one object, kept in the address so that a link reproduces it.
 
 import { ROOM_START, type RoomState } from "./room_state";
+import { hashOf, type Shape, stateOf, stateOfHash, type Tree } from "./state_text";
 
 export type Scalar = string | number | boolean | null;
 export type Panel = { kind: string } & Record<string, Scalar | number[]>;
@@ -27,13 +28,16 @@ export const START: State = {
   bsdf: { path: "", key: "", elevation: 40, azimuth: 0, side: "front", band: "visible", plane: 0 },
 };
 
-/** Parts that stand in the address as one, whatever is in them. */
-const WHOLE = ["room.tables"];
+/** What is known of the state's parts besides their start; a view adds its own. */
+const SHAPE: Shape = {
+  start: START as unknown as Tree,
+  whole: ["room.tables"],
+  free: ["panel.a", "panel.b"],
+};
 
-type Tree = { [name: string]: unknown };
 type Listener = () => void;
 
-let state: State = read(location.hash);
+let state = read(location.hash);
 let written = location.hash;
 let waiting = 0;
 const listeners = new Set<Listener>();
@@ -71,50 +75,22 @@ window.addEventListener("hashchange", () => {
   listeners.forEach((listener) => listener());
 });
 
-function hash(from: State): string {
-  const start = flat(START as unknown as Tree);
-  const said = Object.entries(flat(from as unknown as Tree))
-    .filter(([name, value]) => name.endsWith(".kind") || start[name] !== value)
-    .map(([name, value]) => `${encodeURIComponent(name)}=${encodeURIComponent(value).replace(/%2C/g, ",")}`);
-  return said.length ? `#${said.join("&")}` : "";
+/** Shows the state of a file instead; the browser's way back leads to the one before. */
+export function open(tables: unknown) {
+  if (waiting) {
+    clearTimeout(waiting);
+    write();
+  }
+  state = stateOf(tables, SHAPE) as unknown as State;
+  written = hash(state);
+  history.pushState(null, "", written || "#");
+  listeners.forEach((listener) => listener());
 }
 
-function flat(tree: Tree, before = ""): Record<string, string> {
-  const found: Record<string, string> = {};
-  for (const [name, value] of Object.entries(tree)) {
-    if (value !== null && typeof value === "object" && !Array.isArray(value) && !WHOLE.includes(before + name)) Object.assign(found, flat(value as Tree, `${before}${name}.`));
-    else found[before + name] = JSON.stringify(value);
-  }
-  return found;
+function hash(from: State): string {
+  return hashOf(from as unknown as Tree, SHAPE);
 }
 
 function read(text: string): State {
-  const made = structuredClone(START) as unknown as Tree;
-  const pairs: [string[], unknown][] = [];
-  for (const part of text.replace(/^#/, "").split("&")) {
-    const [name, value] = part.split("=");
-    if (!name || value === undefined) continue;
-    try {
-      pairs.push([decodeURIComponent(name).split("."), JSON.parse(decodeURIComponent(value))]);
-    } catch {
-      continue;
-    }
-  }
-  // a panel that is told is told wholly: nothing of the one it starts with is left of another kind
-  for (const [path, value] of pairs)
-    if (path[0] === "panel" && path[2] === "kind") {
-      const panels = made.panel as Record<string, Panel>;
-      if (path[1] in panels && panels[path[1]].kind !== value) panels[path[1]] = { kind: String(value) };
-    }
-  for (const [path, value] of pairs) {
-    let place = made;
-    for (const name of path.slice(0, -1)) {
-      if (!Object.hasOwn(place, name) || typeof place[name] !== "object") break;
-      place = place[name] as Tree;
-    }
-    const name = path[path.length - 1];
-    const isPanel = path[0] === "panel" && path.length === 3;
-    if (name !== "__proto__" && (isPanel || (Object.hasOwn(place, name) && typeof place[name] === typeof value))) place[name] = value;
-  }
-  return made as unknown as State;
+  return stateOfHash(text, SHAPE) as unknown as State;
 }

@@ -4,8 +4,10 @@ import shutil
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
+from tests.studio import chromium
 
 from clerestory.studio.app import make_app
 from clerestory.studio.settings import Settings
@@ -34,3 +36,33 @@ def client(folder: Path) -> Iterator[TestClient]:
     """The page's side of a studio."""
     with TestClient(make_app(Settings(folder=folder, workers=1)), base_url="http://127.0.0.1:8765") as one:
         yield one
+
+
+@pytest.fixture(scope="session")
+def studio(folder: Path) -> Iterator[str]:
+    """The address of a studio in a process of its own."""
+    process, url = chromium.started(folder)
+    yield url
+    process.terminate()
+    process.wait(10)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    """Debian's Chromium. Of a module alone: while it is there, no test can run an event loop of its own."""
+    sync_api = pytest.importorskip("playwright.sync_api")
+    with sync_api.sync_playwright() as playwright:
+        one = playwright.chromium.launch(executable_path=chromium.PATH, args=chromium.FLAGS)
+        yield one
+        one.close()
+
+
+@pytest.fixture
+def page(browser: Any, studio: str) -> Iterator[Any]:
+    """An empty tab that fails the test on any error in the page, and on any request that leaves the studio."""
+    tab = browser.new_page(viewport=chromium.SIZE)
+    wrong = chromium.watched(tab, studio)
+    tab.goto(studio)
+    yield tab
+    tab.close()
+    assert not wrong

@@ -3,71 +3,19 @@
 CLERESTORY_PICTURES=folder keeps the pictures of docs/how-to/studio.md there.
 """
 
-import os
 import re
-import shutil
-import subprocess
-import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import pytest
+from tests.studio import chromium
+from tests.studio.chromium import started
 
 from clerestory import panel_from_dict, read_bsdf
 
-PAGE = Path(__file__).parents[2] / "python/clerestory/studio/page/index.html"
 BLINDS = Path(__file__).parents[1] / "data/bsdf/blinds_tensortree3.xml"
-CHROMIUM = shutil.which("chromium")
 
-pytestmark = [
-    pytest.mark.skipif(CHROMIUM is None, reason="no chromium on this machine to look at the page with"),
-    pytest.mark.skipif(not PAGE.is_file(), reason="the page is not built: Node.js was not there"),
-]
+pytestmark = chromium.NEEDED
 LCP = {"kind": "laser-cut", "spacing_mm": 6, "thickness_mm": 6, "medium": "pmma"}
-
-
-def started(folder: Path, port: int = 0) -> tuple[subprocess.Popen[str], str]:
-    """A studio in a process of its own, and its address."""
-    command = [sys.executable, "-c", "from clerestory.cli import app; app()", "studio", "--no-open"]
-    process = subprocess.Popen(
-        [*command, "--port", str(port), "--folder", str(folder)], stdout=subprocess.PIPE, text=True
-    )
-    assert process.stdout is not None
-    found = re.search(r"http://\S+", process.stdout.readline())
-    assert found, "the studio did not start"
-    return process, found[0]
-
-
-@pytest.fixture(scope="module")
-def studio(folder: Path) -> Iterator[str]:
-    process, url = started(folder)
-    yield url
-    process.terminate()
-    process.wait(10)
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    sync_api = pytest.importorskip("playwright.sync_api")
-    with sync_api.sync_playwright() as playwright:
-        one = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
-        yield one
-        one.close()
-
-
-@pytest.fixture
-def page(browser: Any, studio: str) -> Iterator[Any]:
-    """An empty tab that fails the test on any error in the page, and on any request that leaves the studio."""
-    tab = browser.new_page(viewport={"width": 1360, "height": 900})
-    tab.set_default_timeout(10_000)
-    wrong: list[str] = []
-    tab.on("pageerror", lambda error: wrong.append(str(error)))
-    tab.on("request", lambda one: None if one.url.startswith((studio, "data:", "blob:")) else wrong.append(one.url))
-    tab.goto(studio)
-    yield tab
-    tab.close()
-    assert not wrong
 
 
 def shown(page: Any, name: str, panel: str = "a") -> float:
@@ -91,10 +39,8 @@ def share(panel: dict[str, Any], elevation: float, name: str) -> float:
 
 
 def picture(page: Any, name: str) -> None:
-    folder = os.environ.get("CLERESTORY_PICTURES")
-    if folder:
-        page.wait_for_timeout(500)
-        page.screenshot(path=str(Path(folder) / f"studio-{name}.png"), full_page=True)
+    page.wait_for_timeout(500)
+    chromium.picture(page, f"studio-{name}")
 
 
 def test_sliders_move_the_light_and_numbers_are_the_apis(page: Any) -> None:
