@@ -52,3 +52,23 @@ export const HUES: Record<string, string> = {
   residual: "#CC79A7",
   transmittance: "#0072B2",
 };
+
+/** Blue over white to brown, for differences of either sign (Okabe and Ito's blue and vermilion at the ends). */
+const BLUE_TO_BROWN: Stop[] = [
+  [0, 84, 140],
+  [96, 160, 205],
+  [240, 240, 238],
+  [232, 150, 96],
+  [176, 64, 0],
+];
+export const ofDifference = (share: number): string => between(BLUE_TO_BROWN, share);
+
+/** Colours of categories, Okabe and Ito's, and the shapes that tell them apart without colour. */
+export const CATEGORIES = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#8a8f98"];
+export const DASHES = ["", "7 3", "2 3", "9 3 2 3", "4 4", "1 4", "12 4"];
+export const categoryOf = (number: number): string => CATEGORIES[number % CATEGORIES.length];
+export const dashOf = (number: number): string => DASHES[number % DASHES.length];
+
+/** Shapes of marks by number, within 5 of their middle. */
+const MARKS = ["M-5 0A5 5 0 1 1 5 0A5 5 0 1 1 -5 0Z", "M-4.4 -4.4H4.4V4.4H-4.4Z", "M0 -6L6 0L0 6L-6 0Z", "M0 -5.6L5.4 4.4H-5.4Z", "M0 5.6L5.4 -4.4H-5.4Z", "M-2 -5.5H2V-2H5.5V2H2V5.5H-2V2H-5.5V-2H-2Z", "M-5 -3L0 -6L5 -3V3L0 6L-5 3Z"];
+export const markOf = (number: number): string => MARKS[number % MARKS.length];
