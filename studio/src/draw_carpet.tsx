@@ -151,8 +151,8 @@ function painted(carpet: Carpet, values: Numbers, onlyUse: boolean, isDark: bool
   for (let row = 0; row < rows; row++)
     for (let day = 0; day < days; day++) {
       const value = values[row * days + day];
-      if (value === null) continue;
-      pen.fillStyle = value > 0 ? cividis(Math.log(Math.max(value, carpet.low) / carpet.low) / span) : NIGHT;
+      // an hour that the clock skips lies in the night
+      pen.fillStyle = value !== null && value > 0 ? cividis(Math.log(Math.max(value, carpet.low) / carpet.low) / span) : NIGHT;
       pen.globalAlpha = onlyUse && !carpet.in_use[row * days + day] ? (isDark ? 0.22 : 0.16) : 1;
       pen.fillRect(day * across, (rows - 1 - row) * up, across, up);
     }

@@ -8,7 +8,7 @@ export interface DotRow {
   dots: { value: number | null; error: number | null; text: string }[];
 }
 
-const [WIDE, LEFT, RIGHT, EACH, FOOT] = [560, 196, 16, 40, 40];
+const [WIDE, LEFT, RIGHT, EACH, FOOT] = [420, 190, 14, 54, 40];
 
 export function DrawDots({ rows, names, label, axis }: { rows: DotRow[]; names: string[]; label: string; axis: string }) {
   const perRow = names.some((name) => name.length > 26) || names.length > 3 ? 2 : Math.max(names.length, 1);
@@ -17,7 +17,7 @@ export function DrawDots({ rows, names, label, axis }: { rows: DotRow[]; names: 
   const x = (share: number) => LEFT + (Math.min(Math.max(share, 0), 100) / 100) * (WIDE - LEFT - RIGHT);
   const shift = (number: number) => (names.length > 1 ? ((number - (names.length - 1) / 2) * Math.min(9, 24 / names.length)) : 0);
   return (
-    <svg class="drawing" viewBox={`0 0 ${WIDE} ${high}`} role="img" aria-label={label}>
+    <svg class="drawing" style={{ maxWidth: `${WIDE * 1.3}px`, margin: "auto" }} viewBox={`0 0 ${WIDE} ${high}`} role="img" aria-label={label}>
       {[0, 25, 50, 75, 100].map((tick) => (
         <g key={tick}>
           <path class="hair" d={`M${x(tick)} ${top}V${high - FOOT}`} />
@@ -34,10 +34,12 @@ export function DrawDots({ rows, names, label, axis }: { rows: DotRow[]; names: 
         return (
           <g key={row.label}>
             <path class="hair" d={`M${LEFT} ${y}H${WIDE - RIGHT}`} />
-            <text class="small" x={LEFT - 10} y={y} text-anchor="end" dominant-baseline="central">
-              {fit(row.label, LEFT - 10, 6.4)}
-              <title>{row.label}</title>
-            </text>
+            {inLines(row.label).map((text, k, all) => (
+              <text key={k} class="small" x={LEFT - 10} y={y + 14 * (k - (all.length - 1) / 2)} text-anchor="end" dominant-baseline="central">
+                {fit(text, LEFT - 10, 6.1)}
+                <title>{row.label}</title>
+              </text>
+            ))}
             {row.dots.map((dot, number) =>
               dot.value === null ? null : (
                 <g key={number} transform={`translate(${x(dot.value).toFixed(1)} ${(y + shift(number)).toFixed(1)})`}>
@@ -64,4 +66,11 @@ export function DrawDots({ rows, names, label, axis }: { rows: DotRow[]; names: 
       })}
     </svg>
   );
+}
+
+/** A long label in two lines. */
+function inLines(text: string): string[] {
+  if (text.length <= 28) return [text];
+  const cut = text.lastIndexOf(" ", 28);
+  return cut > 0 ? [text.slice(0, cut), text.slice(cut + 1)] : [text];
 }

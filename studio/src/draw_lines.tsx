@@ -27,16 +27,17 @@ interface Props {
   here?: number | null;
   low?: number;
   high?: number;
+  width?: number;
   height?: number;
   shading?: [number, number][];
   onPick?: (k: number) => void;
 }
 
-const [WIDE, LEFT, RIGHT, FOOT] = [560, 58, 14, 44];
+const [LEFT, RIGHT, FOOT] = [58, 14, 44];
 
-export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null, isLogarithmic = false, xTicks, here = null, low, high, height = 300, shading, onPick }: Props) {
+export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null, isLogarithmic = false, xTicks, here = null, low, high, width = 520, height = 300, shading, onPick }: Props) {
   const drawing = useRef<SVGSVGElement>(null);
-  const perRow = lines.length > 2 || lines.some((one) => one.label.length > 26) ? 2 : Math.max(lines.length, 1);
+  const perRow = lines.some((one) => one.label.length > 20) || lines.length > 2 ? 2 : Math.max(lines.length, 1);
   const top = 14 + 18 * Math.ceil(lines.length / perRow);
   const known = lines.flatMap((line) => [line.values, line.low ?? [], line.high ?? []].flat()).filter((one): one is number => one !== null && Number.isFinite(one));
   const positive = known.filter((one) => one > 0);
@@ -44,7 +45,7 @@ export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null,
   const least = isLog ? Math.min(...positive) / 1.15 : (low ?? Math.min(0, ...known));
   const most = isLog ? Math.max(...positive, level ?? 0) * 1.15 : (high ?? (Math.max(...known, level ?? -Infinity, least + 1e-9) - least) * 1.05 + least);
   const [first, last] = [Math.min(...x), Math.max(...x)];
-  const px = (value: number) => LEFT + ((value - first) / (last - first || 1)) * (WIDE - LEFT - RIGHT - 12) + 6;
+  const px = (value: number) => LEFT + ((value - first) / (last - first || 1)) * (width - LEFT - RIGHT - 12) + 6;
   const py = (value: number) => {
     const share = isLog ? Math.log(Math.max(value, least) / least) / Math.log(most / least) : (value - least) / (most - least || 1);
     return height - FOOT - Math.min(Math.max(share, -0.02), 1.02) * (height - FOOT - top);
@@ -75,13 +76,13 @@ export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null,
   };
   const few = x.length <= 40;
   return (
-    <svg ref={drawing} class={`drawing${onPick ? " picks" : ""}`} viewBox={`0 0 ${WIDE} ${height}`} role="img" aria-label={label} onClick={onPick ? pick : undefined}>
+    <svg ref={drawing} class={`drawing${onPick ? " picks" : ""}`} style={{ maxWidth: `${width * 1.2}px`, margin: "auto" }} viewBox={`0 0 ${width} ${height}`} role="img" aria-label={label} onClick={onPick ? pick : undefined}>
       {shading?.map(([a, b]) => (
         <rect key={a} class="shading" x={px(a)} y={top} width={Math.max(px(b) - px(a), 0)} height={height - FOOT - top} />
       ))}
       {(isLog ? logTicks(least, most) : ticks(least, most, 5)).map((tick) => (
         <g key={tick}>
-          <path class="hair" d={`M${LEFT} ${py(tick)}H${WIDE - RIGHT}`} />
+          <path class="hair" d={`M${LEFT} ${py(tick)}H${width - RIGHT}`} />
           <text class="small" x={LEFT - 7} y={py(tick)} text-anchor="end" dominant-baseline="central">
             {said(tick, unit === "%" && most > 10 ? "lx" : unit)}
           </text>
@@ -92,13 +93,13 @@ export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null,
           {text}
         </text>
       ))}
-      <text class="small faint" x={(LEFT + WIDE - RIGHT) / 2} y={height - 6} text-anchor="middle">
+      <text class="small faint" x={(LEFT + width - RIGHT) / 2} y={height - 6} text-anchor="middle">
         {xLabel}
       </text>
       <text class="small faint" transform={`translate(13 ${(top + height - FOOT) / 2}) rotate(-90)`} text-anchor="middle">
         {fit(yLabel, height - FOOT - 10, 6)}
       </text>
-      {level !== null && level > least && level < most && <path class="here" d={`M${LEFT} ${py(level)}H${WIDE - RIGHT}`} />}
+      {level !== null && level > least && level < most && <path class="here" d={`M${LEFT} ${py(level)}H${width - RIGHT}`} />}
       {here !== null && <path class="here" d={`M${px(here)} ${top}V${height - FOOT}`} />}
       {lines.map((line, number) => (line.low ? <path key={`band${line.label}`} d={band(line)} fill={categoryOf(number)} fill-opacity={0.13} stroke="none" /> : null))}
       {lines.map((line, number) => (
@@ -120,14 +121,14 @@ export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null,
         </g>
       ))}
       {lines.map((line, number) => {
-        const width = (WIDE - LEFT - RIGHT) / perRow;
-        const [a, b] = [LEFT + (number % perRow) * width, 10 + 18 * Math.floor(number / perRow)];
+        const each = (width - LEFT - RIGHT) / perRow;
+        const [a, b] = [LEFT + (number % perRow) * each, 10 + 18 * Math.floor(number / perRow)];
         return (
           <g key={line.label} transform={`translate(${a} ${b})`}>
             <path class="curve" stroke={categoryOf(number)} stroke-dasharray={dashOf(number)} d="M0 0h24" />
             {few && <path class="mark" fill={categoryOf(number)} transform="translate(12 0) scale(0.7)" d={markOf(number)} />}
             <text class="small" x={31} y={0} dominant-baseline="central">
-              {fit(line.label, width - 34, 6.6)}
+              {fit(line.label, each - 34, 6.6)}
             </text>
           </g>
         );

@@ -33,9 +33,9 @@ export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, c
   const [lowY, highY] = [Math.min(...around.map((one) => one[1])), Math.max(...around.map((one) => one[1]))];
   const count = plan.variants.length;
   const room = (most - BAR) / Math.min(count, 4) - LEFT - GAP;
-  const scale = Math.min(360 / (highY - lowY), Math.max(room, 130) / (highX - lowX));
+  const scale = Math.min(360 / (highY - lowY), Math.max(room, 84) / (highX - lowX));
   const [wide, high] = [(highX - lowX) * scale, (highY - lowY) * scale];
-  const each = Math.max(LEFT + wide + GAP, 176);
+  const each = Math.max(LEFT + wide + GAP, count === 1 ? 320 : most < 700 ? 172 : 186);
   const columns = Math.max(1, Math.min(count, Math.floor((most - BAR) / each)));
   const rows = Math.ceil(count / columns);
   const [whole, tall] = [columns * each + BAR, rows * (TOP + high + FOOT)];

@@ -29,7 +29,7 @@ interface Props {
   onMove: (row: number) => void;
 }
 
-const [WIDE, HIGH, LEFT, RIGHT, FOOT] = [720, 430, 66, 18, 48];
+const [WIDE, HIGH, LEFT, RIGHT, FOOT] = [880, 440, 66, 18, 48];
 
 export function DrawScatter({ series, words, label, xLabel, yLabel, front = [], frontWord, best = null, bestWord, cursor, onMove }: Props) {
   const every = series.flatMap((one) => one.marks);
@@ -56,7 +56,7 @@ export function DrawScatter({ series, words, label, xLabel, yLabel, front = [], 
   };
   const at = byRow.get(cursor);
   return (
-    <svg class="drawing" viewBox={`0 0 ${WIDE} ${HIGH}`} role="application" aria-label={label} tabindex={0} onKeyDown={key} onMouseLeave={() => onMove(-1)}>
+    <svg class="drawing" style={{ maxWidth: `${WIDE * 1.15}px`, margin: "auto" }} viewBox={`0 0 ${WIDE} ${HIGH}`} role="application" aria-label={label} tabindex={0} onKeyDown={key} onMouseLeave={() => onMove(-1)}>
       {ticks(lowY, highY, 6).map((tick) => (
         <g key={tick}>
           <path class="hair" d={`M${LEFT} ${py(tick)}H${WIDE - RIGHT}`} />

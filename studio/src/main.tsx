@@ -11,11 +11,12 @@ import type { State } from "./state";
 import "./style.css";
 import { words } from "./words";
 
-const VIEWS = ["panel", "room", "bsdf"];
+const VIEWS = ["panel", "room", "year", "bsdf"];
 
-/** Views with heavy libraries come when they are opened. */
+/** Views that are large come when they are opened. */
 const LATER: Record<string, () => Promise<FunctionComponent<{ state: State; isDark: boolean }>>> = {
   room: async () => (await import("./room_view")).RoomView,
+  year: async () => (await import("./year_view")).YearView,
 };
 
 function Later({ name, state, isDark }: { name: string; state: State; isDark: boolean }) {

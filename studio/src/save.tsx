@@ -58,12 +58,13 @@ interface Props {
   hint?: string;
   table?: () => Record<string, (number | string)[]>;
   canvas?: () => HTMLCanvasElement | null;
+  noPicture?: boolean;
   extra?: { label: string; save: () => void }[];
   children: ComponentChildren;
 }
 
 /** A figure with a heading and the ways to save it. */
-export function Figure({ name, title, hint, table, canvas, extra, children }: Props) {
+export function Figure({ name, title, hint, table, canvas, noPicture, extra, children }: Props) {
   const place = useRef<HTMLElement>(null);
   const svgs = () => Array.from(place.current?.querySelectorAll<SVGSVGElement>("svg.drawing") ?? []);
   const each = (save: (svg: string, name: string) => void) =>
@@ -78,8 +79,8 @@ export function Figure({ name, title, hint, table, canvas, extra, children }: Pr
       <header>
         <h3>{title}</h3>
         <div class="saves" role="group" aria-label={`${words.exports}: ${title}`}>
-          <button onClick={png}>PNG</button>
-          {!canvas && <button onClick={() => each((svg, file) => saveFile(`${file}.svg`, svg, "image/svg+xml"))}>SVG</button>}
+          {!noPicture && <button onClick={png}>PNG</button>}
+          {!canvas && !noPicture && <button onClick={() => each((svg, file) => saveFile(`${file}.svg`, svg, "image/svg+xml"))}>SVG</button>}
           {table && <button onClick={() => saveFile(`${name}.csv`, csv(table()), "text/csv")}>CSV</button>}
           {extra?.map((one) => (
             <button key={one.label} onClick={one.save}>

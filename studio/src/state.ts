@@ -2,6 +2,7 @@
 
 import { ROOM_START, type RoomState } from "./room_state";
 import { hashOf, type Shape, stateOf, stateOfHash, type Tree } from "./state_text";
+import { YEAR_START, type YearState } from "./year_state";
 
 export type Scalar = string | number | boolean | null;
 export type Panel = { kind: string } & Record<string, Scalar | number[]>;
@@ -11,6 +12,7 @@ export interface State {
   theme: string;
   panel: { a: Panel; b: Panel; compares: boolean; elevation: number; azimuth: number };
   room: RoomState;
+  year: YearState;
   bsdf: { path: string; key: string; elevation: number; azimuth: number; side: string; band: string; plane: number };
 }
 
@@ -25,6 +27,7 @@ export const START: State = {
     azimuth: 0,
   },
   room: ROOM_START,
+  year: YEAR_START,
   bsdf: { path: "", key: "", elevation: 40, azimuth: 0, side: "front", band: "visible", plane: 0 },
 };
 

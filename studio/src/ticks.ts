@@ -29,7 +29,7 @@ export function said(value: number | null | undefined, unit = ""): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   const digits = DIGITS[unit];
   const size = Math.abs(value);
-  const most = digits === undefined || (size < 10 && size > 0 && digits < 2) ? Math.min(6, Math.max(0, 2 - Math.floor(Math.log10(size || 1)))) : digits;
+  const most = digits === undefined || (size < 10 && size > 0 && digits < 2) ? Math.min(unit === "%" ? 2 : 6, Math.max(0, 2 - Math.floor(Math.log10(size || 1)))) : digits;
   return value.toLocaleString("en", { maximumFractionDigits: most, useGrouping: size >= 10_000 }).replace(/,/g, "\u202f").replace(/^-/, "−");
 }
 

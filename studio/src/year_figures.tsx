@@ -9,7 +9,7 @@ import { yearWords as words } from "./year_words";
 export function YearFigures({ told, shown, explains }: { told: ResultTold; shown: number[]; explains: boolean }) {
   const names = shown.map((k) => told.variants[k]);
   const rows = told.figures.filter((row) => row.cells.some((cell) => cell.value !== null));
-  const dots = rows.filter((row) => row.is_share).map((row) => ({ label: row.label, dots: shown.map((k) => row.cells[k]) }));
+  const dots = rows.filter((row) => row.is_share).map((row) => ({ label: row.label.replace(/, mean$/, ""), dots: shown.map((k) => row.cells[k]) }));
   const table = () => ({
     figure: rows.flatMap((row) => shown.map(() => quoted(row.label))),
     unit: rows.flatMap((row) => shown.map(() => row.unit)),

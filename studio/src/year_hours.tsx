@@ -149,11 +149,14 @@ export function YearHours({ told, shown, look, isDark }: Props) {
   );
 }
 
-/** The day that is shown first: the longest. */
+/** The day that is shown first: the brightest of those in use. */
 function brightest(carpet: Carpet): number {
-  const length = (k: number) => ((carpet.sunset?.[k] ?? 0) as number) - ((carpet.sunrise?.[k] ?? 0) as number);
-  let best = Math.floor(carpet.days.length / 2);
-  if (carpet.sunrise && carpet.sunset) carpet.days.forEach((_, k) => length(k) > length(best) && (best = k));
+  let [best, most] = [Math.floor(carpet.days.length / 2), 0];
+  carpet.days.forEach((_, k) => {
+    let sum = 0;
+    for (let r = 0; r < carpet.rows; r++) if (carpet.in_use[r * carpet.days.length + k]) sum += carpet.variants[0]?.values[r * carpet.days.length + k] ?? 0;
+    if (sum > most) [best, most] = [k, sum];
+  });
   return best;
 }
 

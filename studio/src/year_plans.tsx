@@ -96,7 +96,8 @@ export function YearPlans({ told, shown, look }: { told: ResultTold; shown: numb
               unit={section.value.unit}
               level={section.value.level}
               isLogarithmic={section.value.is_logarithmic}
-              height={380}
+              width={430}
+              height={400}
               high={section.value.unit === "%" && !section.value.is_logarithmic && Math.max(...lines.flatMap((line) => line.high.map((one) => one ?? 0))) > 60 ? 102 : undefined}
             />
             <DataTable summary={words.asTable} table={() => sectionTable(section.value as SectionCurves)} />

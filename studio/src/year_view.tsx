@@ -8,6 +8,7 @@ import { YearCases } from "./year_cases";
 import { YearFigures } from "./year_figures";
 import { YearHours } from "./year_hours";
 import { YearPlans } from "./year_plans";
+import "./year.css";
 import { YearSide } from "./year_side";
 import { yearWords as words } from "./year_words";
 
@@ -63,6 +64,12 @@ export function YearView({ state, isDark }: { state: State; isDark: boolean }) {
       refuse(fault);
     }
   };
+  /** The room of the result, at the hour that is looked at. */
+  const openRoom = (file: string) => {
+    const day = Math.floor((Date.parse(`${look.day}T00:00:00Z`) - Date.parse(`${look.day.slice(0, 4)}-01-01T00:00:00Z`)) / 86_400_000) + 1;
+    change("room", { file, tables: {}, variant: "", ...(day > 0 ? { day, minute: Math.round(60 * look.hour) } : {}) });
+    change("view", "room");
+  };
   const shown = told ? told.variants.map((_, k) => k).filter((k) => !look.hidden.includes(told.variants[k])) : [];
   const turn = (name: string, on: boolean) => change("year", { hidden: on ? look.hidden.filter((one) => one !== name) : [...look.hidden, name] });
   return (
@@ -107,12 +114,7 @@ export function YearView({ state, isDark }: { state: State; isDark: boolean }) {
                 <h2>{told.title || told.name}</h2>
                 <span class="kindBadge">{words.kinds[told.kind]}</span>
                 {told.source && (
-                  <button
-                    onClick={() => {
-                      change("room" as never, { path: told.source } as never);
-                      change("view", "room");
-                    }}
-                  >
+                  <button onClick={() => openRoom(told.source as string)}>
                     {words.openRoom}
                   </button>
                 )}

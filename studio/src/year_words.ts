@@ -1,7 +1,8 @@
 // The words of the Year view, in English.
 
 export const yearWords = {
-  drop: "Drop a result here, or choose one: year.nc, …-illuminance.nc, results.csv, history.csv, angular.nc",
+  drop: "Drop a result here, or choose a file",
+  dropKinds: "year.nc, …-illuminance.nc, results.csv, history.csv, angular.nc",
   results: "Results in the folder",
   noResults: "There is no result in the folder yet. Run a year below, or on the command line.",
   looking: "Looking through the folder …",
@@ -85,7 +86,7 @@ export const yearWords = {
   yAxis: "Up",
   byAxis: "A series for each",
   noSeries: "all together",
-  front: "front: no other is better in both",
+  front: "front, beaten by none",
   bestCase: "best",
   table: "Table",
   rowsOf: (shown: number, all: number) => (shown < all ? `${shown} of ${all} rows` : `${all} rows`),

@@ -115,7 +115,7 @@ def _room(result: Result) -> list[dict[str, Any]]:
             ]
             rows.append(_row(f"{metric.key}.{word}", f"{metric.label}, {label}", metric.unit, about, 0, cells))
         mean = np.where(values.mean("sensor") > 0.0, values.mean("sensor"), np.nan)
-        even = [_cell(float(value), math.nan, 2) for value in values.min("sensor").values / mean]
+        even = [_cell(float(value), math.nan, 3) for value in values.min("sensor").values / mean]
         rows.append(_row(f"{metric.key}.even", f"{metric.label}, uniformity", "", "Least over mean.", 1, even))
         if metric.level is not None:
             share = 100.0 * (values >= metric.level).mean("sensor")
@@ -144,7 +144,7 @@ def _cell(value: float, error: float, digits: int) -> dict[str, Any]:
     if math.isnan(value):
         return {"value": value, "error": error, "text": "–"}
     shows = not math.isnan(error) and round(error, digits) > 0.0
-    text = f"{value:,.{digits}f}" + (f" ± {error:,.{digits}f}" if shows else "")
+    text = f"{value:.{digits}f}" + (f" ± {error:.{digits}f}" if shows else "")
     return {"value": value, "error": error, "text": text}
 
 

@@ -117,9 +117,19 @@ def _glazings(result: Result) -> list[list[str]]:
 
 
 def _room_title(result: Result) -> str:
+    if result.kind == "panel":
+        return _panel_title(result.data.attrs)
     if result.kind == "room":
         return Path(result.path).parent.name or str(result.data.attrs.get("room", ""))
     return ""
+
+
+def _panel_title(attrs: Any) -> str:
+    try:
+        panel = json.loads(attrs.get("panel", "{}"))
+        return f"Panel, {panel['kind']}"
+    except (ValueError, TypeError, KeyError):
+        return ""
 
 
 def _label(name: str) -> str:

@@ -11,7 +11,7 @@ import pandas as pd
 import xarray as xr
 
 from clerestory.errors import ClerestoryError
-from clerestory.plots.carpet import LUX_RANGE, LUX_TICKS, by_day_and_hour
+from clerestory.plots.carpet import by_day_and_hour
 from clerestory.rules import number, one_of
 from clerestory.site import Site
 from clerestory.studio.result_metrics import Metric, scale_of
@@ -24,6 +24,8 @@ Floats = npt.NDArray[np.float64]
 #: What a carpet shows, and the digits of its numbers.
 SERIES = ("mean", "least", "sensor")
 _DIGITS = 4
+#: Round illuminances between which a carpet's colours run [lx].
+_STEPS_LX = (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10_000.0, 30_000.0, 100_000.0)
 
 
 def carpet(result: Result, *, series: Any = "mean", sensor: Any = None) -> dict[str, Any]:
@@ -52,13 +54,13 @@ def carpet(result: Result, *, series: Any = "mean", sensor: Any = None) -> dict[
         carpets.append({"label": label, "values": _rounded(cells).ravel(), "blinds": _blinds(result, place)})
     assert days is not None
     assert hours is not None
-    low, high = LUX_RANGE
+    low, high = _range(lines.values)
     return {
         "series": word,
         "unit": "lx",
         "low": low,
         "high": high,
-        "ticks": list(LUX_TICKS),
+        "ticks": [tick for tick in _STEPS_LX if low <= tick <= high],
         "days": [str(day)[:10] for day in days[:-1]],
         "step_h": float(hours[1] - hours[0]),
         "rows": len(hours) - 1,
@@ -207,6 +209,17 @@ def _sun(result: Result, days: Any) -> dict[str, Any]:
         return [None if np.isnan(one) else round(float(one % 24.0), 3) for one in told]
 
     return {"sunrise": hours("sunrise"), "sunset": hours("sunset")}
+
+
+def _range(values: Any) -> tuple[float, float]:
+    """Round ends of a logarithmic scale that nearly all of the light lies between."""
+    lit = values[np.isfinite(values) & (values > 0.0)]
+    if not len(lit):
+        return 30.0, 10_000.0
+    least, most = np.percentile(lit, [8.0, 99.5])
+    low = max((step for step in _STEPS_LX if step <= least), default=_STEPS_LX[0])
+    high = min((step for step in _STEPS_LX if step >= most), default=_STEPS_LX[-1])
+    return (low, high) if low < high else (low, 10.0 * low)
 
 
 def _rounded(cells: Floats) -> Floats:

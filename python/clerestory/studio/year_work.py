@@ -9,13 +9,10 @@ from typing import TYPE_CHECKING, Any
 from clerestory.errors import ClerestoryError
 from clerestory.room.toml_file import read_toml
 from clerestory.studio.folder import inside
+from clerestory.studio.room_files import confined, files_of, with_room_file
 
 if TYPE_CHECKING:
     from clerestory.studio.work import Tell
-
-#: Keys of a year file whose texts name files.
-_FILES = ("file", "room")
-_DEEPEST = 12
 
 
 def year(*, folder: str, path: str, tell: Tell) -> dict[str, Any]:
@@ -71,34 +68,9 @@ def stays_inside(folder: Path, path: str) -> None:
     ClerestoryError
     """
     file = inside(folder, path)
-    tables = read_toml(file)
-    _files_inside(folder, file.parent, tables, 0)
-    room = tables.get("room")
-    if isinstance(room, str):
-        named = inside(folder, _within(folder, file.parent, room), "room")
-        _files_inside(folder, named.parent, read_toml(named), 0)
-
-
-def _files_inside(folder: Path, where: Path, value: Any, depth: int) -> None:
-    if depth > _DEEPEST:
-        raise ClerestoryError(f"path must be a year file that nests at most {_DEEPEST} deep, got more")
-    if isinstance(value, dict):
-        for name, one in value.items():
-            if name in _FILES and isinstance(one, str):
-                inside(folder, _within(folder, where, one), name)
-            else:
-                _files_inside(folder, where, one, depth + 1)
-    elif isinstance(value, list):
-        for one in value:
-            _files_inside(folder, where, one, depth + 1)
-
-
-def _within(folder: Path, where: Path, named: str) -> str:
-    """A file that a table names, relative to the studio's folder."""
-    try:
-        found = (where / named).resolve()
-        return found.relative_to(folder).as_posix()
-    except (ValueError, OSError, RuntimeError):
-        raise ClerestoryError(
-            f"file must lie in the studio's folder, got {named[:80]!r}; start the studio in a folder that holds it"
-        ) from None
+    tables, where = with_room_file(folder, file.parent, read_toml(file))
+    files_of(folder, where, tables)
+    weather = tables.get("weather")
+    if not isinstance(weather, dict) or "file" not in weather:
+        raise ClerestoryError(f"path must be a year file, with a file under [weather], got {path!r}")
+    confined(folder, file.parent, weather["file"], "file of [weather]")
