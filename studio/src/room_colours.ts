@@ -5,6 +5,8 @@ import type { PathKind } from "./room_answers";
 export interface Look {
   isDark: boolean;
   ground: string;
+  /** About words. */
+  halo: string;
   sheet: string;
   ink: string;
   faint: string;
@@ -20,6 +22,7 @@ export interface Look {
 export const LIGHT: Look = {
   isDark: false,
   ground: "#eef2f5",
+  halo: "rgba(245,248,250,0.75)",
   sheet: "#ffffff",
   ink: "#1d2733",
   faint: "#5d6875",
@@ -33,6 +36,7 @@ export const LIGHT: Look = {
 export const DARK: Look = {
   isDark: true,
   ground: "#10161c",
+  halo: "rgba(16,22,28,0.75)",
   sheet: "#1a2129",
   ink: "#e8ecf0",
   faint: "#9fabb8",

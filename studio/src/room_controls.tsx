@@ -1,13 +1,13 @@
 // The controls of a room: which one, its sizes, the glazing of its window parts, its place.
 
 import type { ComponentChildren } from "preact";
-import { useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { ask, type Fault, Refused } from "./ask";
 import { chosen, ChoiceInput, Faults, SliderInput } from "./inputs";
 import type { RoomKinds, RoomSlider, Tables } from "./room_answers";
 import { glassColour } from "./room_colours";
 import type { Asked } from "./room_questions";
-import { changes, glazingOf, glazingPlaces, panelTable, valueAt, withGlazing, withValue } from "./room_tables";
+import { changes, glazingOf, glazingPlaces, panelTable, placed, valueAt, withGlazing, withValue } from "./room_tables";
 import { saveFile } from "./save";
 import { change, type State } from "./state";
 import { words } from "./words";
@@ -22,7 +22,7 @@ interface Props {
   faults: Fault[];
 }
 
-export function RoomControls({ state, asked, files, isDark, faults }: Props) {
+export function RoomControls({ state, asked, files, isDark, faults: all }: Props) {
   const { kinds, file, tables, scene } = asked;
   const room = state.room;
   const [fileFaults, setFileFaults] = useState<Fault[]>([]);
@@ -42,6 +42,7 @@ export function RoomControls({ state, asked, files, isDark, faults }: Props) {
   const names: [string, string][] = [["start", said.start], ...files.map((path): [string, string] => [path, path]), ...(room.file === "" ? [["", said.own] as [string, string]] : [])];
   const variants = scene.value?.variants ?? [];
   const sliders = (kinds.value?.sliders ?? []).filter((slider) => tables && typeof valueAt(tables, slider.path) === "number");
+  const faults = all.map((fault) => placed(fault, sliders));
   const of = (group: string, names?: string[]) => sliders.filter((slider) => slider.group === group && (!names || names.includes(slider.name)));
   const sizes = (list: RoomSlider[]) =>
     list.map((slider) => {
@@ -62,6 +63,7 @@ export function RoomControls({ state, asked, files, isDark, faults }: Props) {
         />
       );
     });
+  const isWrong = (list: RoomSlider[]) => list.some((slider) => faults.some((fault) => fault.field === slider.path.join(".")));
   const surfaces = ["floor", "walls", "ceiling"];
   return (
     <>
@@ -77,7 +79,7 @@ export function RoomControls({ state, asked, files, isDark, faults }: Props) {
           <button onClick={() => void save()}>{said.save}</button>
           {isChanged && <button onClick={() => change("room", { tables: {} })}>{said.reset}</button>}
         </div>
-        <Faults faults={[...fileFaults, ...kinds.faults, ...faults]} />
+        <Faults faults={[...fileFaults, ...kinds.faults, ...faults]} fields={sliders.map((slider) => slider.path.join("."))} />
       </fieldset>
       {tables && kinds.value && (
         <>
@@ -93,9 +95,9 @@ export function RoomControls({ state, asked, files, isDark, faults }: Props) {
           ) : (
             <p class="hint">{said.noShoebox}</p>
           )}
-          {of("window").length > 0 && <Group title={said.groups.window}>{sizes([...of("window"), ...of("upper part")])}</Group>}
-          {of("room", surfaces).length > 0 && <Group title={said.groups.reflectances}>{sizes(of("room", surfaces))}</Group>}
-          {of("sensors").length > 0 && <Group title={said.groups.sensors}>{sizes(of("sensors"))}</Group>}
+          {of("window").length > 0 && <Group title={said.groups.window} isOpen={isWrong([...of("window"), ...of("upper part")])}>{sizes([...of("window"), ...of("upper part")])}</Group>}
+          {of("room", surfaces).length > 0 && <Group title={said.groups.reflectances} isOpen={isWrong(of("room", surfaces))}>{sizes(of("room", surfaces))}</Group>}
+          {of("sensors").length > 0 && <Group title={said.groups.sensors} isOpen={isWrong(of("sensors"))}>{sizes(of("sensors"))}</Group>}
           <Group title={said.groups.site}>
             {!asked.hasSite && <p class="hint">{said.noSite}</p>}
             {sizes(of("site"))}
@@ -113,8 +115,12 @@ export function RoomControls({ state, asked, files, isDark, faults }: Props) {
 }
 
 export function Group({ title, isOpen = false, children }: { title: string; isOpen?: boolean; children: ComponentChildren }) {
+  const place = useRef<HTMLDetailsElement>(null);
+  useEffect(() => {
+    if (isOpen && place.current) place.current.open = true;
+  }, [isOpen]);
   return (
-    <details class="group" open={isOpen}>
+    <details class="group" ref={place}>
       <summary>{title}</summary>
       {children}
     </details>

@@ -1,12 +1,12 @@
 // False colours over a plane of the room.
 
-import { Color, Group, type Mesh, SRGBColorSpace } from "three";
+import { BackSide, Color, FrontSide, Group, type Material, type Mesh, SRGBColorSpace } from "three";
 import type { Plane, Vec } from "./room_answers";
 import { cividis } from "./colours";
 import type { Look } from "./room_colours";
 import { fan, faces, joined, segments } from "./room_lines";
 import { cellsOf } from "./room_cells";
-import { between, middle } from "./room_space";
+import { between, dot, middle, normalOf } from "./room_space";
 import { type Scale, share } from "./room_scale";
 
 export interface Field {
@@ -17,7 +17,7 @@ export interface Field {
   picked: number;
 }
 
-export function drawField(field: Field, look: Look): { group: Group; cells: Mesh } {
+export function drawField(field: Field, look: Look): { group: Group; cells: Mesh[] } {
   const group = new Group();
   const cells = cellsOf(field.plane);
   const inset = cells.map((corners) => corners.map((corner) => between(corner, middle(corners), 0.045)));
@@ -25,9 +25,18 @@ export function drawField(field: Field, look: Look): { group: Group; cells: Mesh
     const colour = new Color().setStyle(cividis(share(field.scale, value)), SRGBColorSpace);
     return [colour, colour];
   });
-  const mesh = faces(inset.flatMap((corners) => fan(corners)), colours, { isDouble: true, opacity: field.isStale ? 0.45 : 0.92, lifts: -1 });
-  mesh.renderOrder = 0;
-  group.add(mesh);
+  const triangles = inset.flatMap((corners) => fan(corners));
+  const opacity = field.isStale ? 0.45 : 0.94;
+  const mesh = faces(triangles, colours, { opacity, lifts: -1 });
+  // from behind, as a ceiling from above, one looks through
+  const behind = faces(triangles, colours, { opacity: 0.5 * opacity, lifts: -1 });
+  const isTurned = dot(normalOf(cells[0]), field.plane.normals[0]) < 0;
+  (mesh.material as Material).side = isTurned ? BackSide : FrontSide;
+  (behind.material as Material).side = isTurned ? FrontSide : BackSide;
+  mesh.renderOrder = behind.renderOrder = 0;
+  const both = new Group();
+  both.add(mesh, behind);
+  group.add(both);
   // seen from its edge a plane is a line
   group.add(segments(rim(cells), { colour: look.edge, width: 1.4, opacity: 0.9 }));
   const picked = cells[field.picked];
@@ -36,7 +45,7 @@ export function drawField(field: Field, look: Look): { group: Group; cells: Mesh
     ring.renderOrder = 6;
     group.add(ring);
   }
-  return { group, cells: mesh };
+  return { group, cells: both.children as Mesh[] };
 }
 
 /** Edges that belong to one cell alone. */

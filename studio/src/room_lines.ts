@@ -60,14 +60,14 @@ export function label(text: string, at: Vec, colour: string, halo: string, size 
   pen.textAlign = "center";
   pen.textBaseline = "middle";
   pen.lineJoin = "round";
-  pen.lineWidth = 3.5 * scale;
+  pen.lineWidth = 2.5 * scale;
   pen.strokeStyle = halo;
   pen.strokeText(text, canvas.width / 2, canvas.height / 2);
   pen.fillStyle = colour;
   pen.fillText(text, canvas.width / 2, canvas.height / 2);
   const map = new CanvasTexture(canvas);
   map.colorSpace = SRGBColorSpace;
-  const sprite = new Sprite(new SpriteMaterial({ map, sizeAttenuation: false, transparent: true, depthWrite: false }));
+  const sprite = new Sprite(new SpriteMaterial({ map, sizeAttenuation: false, transparent: true, depthTest: false }));
   sprite.userData.pixels = [canvas.width / scale, canvas.height / scale];
   sprite.position.set(...at);
   sprite.renderOrder = 10;

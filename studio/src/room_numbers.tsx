@@ -1,5 +1,6 @@
 // The numbers of a plane with their errors, and how far the work has got.
 
+import type { Fault } from "./ask";
 import type { Doing } from "./follow";
 import { Faults } from "./inputs";
 import type { RoomLight, RoomWork } from "./room_answers";
@@ -46,7 +47,7 @@ export function RoomNumbers({ told, unit, light, isStale }: { told: Told | null;
   );
 }
 
-export function RoomProgress({ work, target }: { work: Doing<RoomWork>; target: number }) {
+export function RoomProgress({ work, target, known }: { work: Doing<RoomWork>; target: number; known: Fault[] }) {
   const isBusy = work.state === "waiting" || work.state === "running";
   const now = work.isStale ? null : work.value;
   const error = now ? 100 * now.worst_relative_error : null;
@@ -54,14 +55,14 @@ export function RoomProgress({ work, target }: { work: Doing<RoomWork>; target: 
   const share = now ? Math.min(1, (target / Math.max(now.worst_relative_error, 1e-9)) ** 2) : 0;
   return (
     <div class="progress roomProgress" role="status" data-rounds={now?.rounds ?? 0} data-error={now?.worst_relative_error ?? ""} data-state={work.state}>
-      <progress value={now ? (now.converged ? 1 : share) : undefined} max={1} aria-label={words.working} />
+      {(isBusy || now) && <progress value={now ? (now.converged ? 1 : share) : undefined} max={1} aria-label={words.working} />}
       <span>
         {now && error !== null ? said.round(now.rounds, written(error)) : isBusy ? said.first : ""}
         {now ? `, ${isBusy ? said.refining : now.converged ? said.reached : said.stoppedAt}` : ""}
       </span>
       {isBusy && <button onClick={work.stop}>{said.stop}</button>}
       {!isBusy && work.state !== "idle" && !(now?.converged ?? false) && <button onClick={work.start}>{said.goOn}</button>}
-      <Faults faults={work.faults} />
+      <Faults faults={work.faults.filter((fault) => !known.some((other) => other.message === fault.message))} />
     </div>
   );
 }

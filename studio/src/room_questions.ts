@@ -1,6 +1,6 @@
 // What the room view asks of the server: the room, its sun, its light, the work that refines it.
 
-import { useMemo } from "preact/hooks";
+import { useEffect, useMemo, useState } from "preact/hooks";
 import { type Answer, type Doing, useAnswer, useJob, useOnce } from "./follow";
 import type { LightPaths, Plane, RoomKinds, RoomLight, RoomScene, RoomWork, SunTold, Tables } from "./room_answers";
 import type { RoomState } from "./room_state";
@@ -52,11 +52,15 @@ export function useRoom(state: RoomState): Asked {
   const told = skies?.find((one) => one.name === state.sky) ;
   const sky = told ? ("luminous_turbidity" in told.sky ? { ...told.sky, luminous_turbidity: state.turbidity } : told.sky) : { kind: "weather", path: state.sky };
   const question = work.value?.key && skies ? { key: work.value.key, ...when, sky } : null;
+  const [hasSun, setHasSun] = useState(false);
   // the sun's light is refined once the time has stood still
-  const sunWork = useJob<RoomWork>({ kind: "room_sun", ...question, target_relative_error: state.error }, Boolean(question && sun.value?.is_up && hasSun(told)));
+  const sunWork = useJob<RoomWork>({ kind: "room_sun", ...question, target_relative_error: state.error }, Boolean(question && sun.value?.is_up && hasSun));
   const light = useAnswer<RoomLight>("/api/room/light", question, `${work.value?.rounds} ${sunWork.isStale ? "" : sunWork.value?.rounds}`);
+  useEffect(() => setHasSun((light.value?.outside.direct_normal_lx ?? 0) > 0), [light.value]);
+  // a studio that was started again has nothing kept: the work begins once more
+  const isLost = light.faults.some((fault) => /key must be/.test(fault.message));
+  useEffect(() => {
+    if (isLost && (work.state === "done" || work.state === "failed")) work.start();
+  }, [isLost]);
   return { kinds, file, tables, room, hasSite, scene: isPath && !room ? read : scene, sun, paths, work, sunWork, light, plane: planes.find((one) => one.name === plane) ?? null };
 }
-
-/** Whether a sky lets the sun through, as far as the page can tell before it asks. */
-const hasSun = (sky: { sky: Tables } | undefined) => sky?.sky.kind !== "overcast";

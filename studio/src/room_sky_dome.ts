@@ -29,7 +29,7 @@ export function drawGround(dome: Dome, look: Look, words: DomeWords): Group {
   group.add(segments(joined(ring), { colour: look.hair, width: 1.2 }));
   const ticks = Array.from({ length: 36 }, (_, k): [Vec, Vec] => [at(10 * k, k % 9 ? 0.985 : 0.955), at(10 * k, 1)]);
   group.add(segments(ticks, { colour: look.hair, width: 1.2 }));
-  words.compass.forEach((letter, k) => group.add(label(letter, at(90 * k, 1.09), k ? look.faint : look.ink, look.ground, 15, k ? 500 : 700)));
+  words.compass.forEach((letter, k) => group.add(label(letter, at(90 * k, 1.09), k ? look.faint : look.ink, look.halo, 15, k ? 500 : 700)));
   return group;
 }
 
@@ -46,7 +46,7 @@ export function drawSunPaths(sun: SunTold, dome: Dome, look: Look, words: DomeWo
   put(others.flatMap((one) => arc(one.points)), 1.2, look.faint, 0.6);
   for (const season of sun.seasons) {
     const there = named(season.points);
-    if (there) group.add(label(season.label, plus(dome.centre, there.direction, 1.05 * dome.radius), look.faint, look.ground, 11, 400));
+    if (there) group.add(label(season.label, plus(dome.centre, there.direction, 1.05 * dome.radius), look.faint, look.halo, 11, 400));
   }
   put(arc(sun.day), 3.2, look.sun, 1);
   for (const hour of sun.day) {
@@ -54,12 +54,13 @@ export function drawSunPaths(sun: SunTold, dome: Dome, look: Look, words: DomeWo
     const dot = new Mesh(new SphereGeometry(0.011 * dome.radius, 10, 8), new MeshBasicMaterial({ color: look.sun }));
     dot.position.set(...on(hour.direction));
     group.add(dot);
-    if (hour.hour % 3 === 0) group.add(label(words.hour(hour.hour), plus(dome.centre, hour.direction, 1.07 * dome.radius), look.ink, look.ground, 11, 500));
+    if (hour.hour % 3 === 0) group.add(label(words.hour(hour.hour), plus(dome.centre, hour.direction, 1.07 * dome.radius), look.ink, look.halo, 11, 500));
   }
   return group;
 }
 
-export function drawSun(sun: SunTold, dome: Dome, look: Look, aim: Vec): Group {
+/** The sun, and the line to what it shines at, if it does. */
+export function drawSun(sun: SunTold, dome: Dome, look: Look, aim: Vec | null): Group {
   const group = new Group();
   const at = plus(dome.centre, sun.direction, dome.radius);
   const dim = sun.is_up ? 1 : 0.3;
@@ -71,7 +72,7 @@ export function drawSun(sun: SunTold, dome: Dome, look: Look, aim: Vec): Group {
   halo.userData.isSun = true;
   group.add(ball, halo);
   if (sun.is_up) {
-    group.add(segments([[at, aim]], { colour: look.sun, width: 1.4, opacity: 0.8, dash: [0.02 * dome.radius, 0.015 * dome.radius] }));
+    if (aim) group.add(segments([[at, aim]], { colour: look.sun, width: 1.4, opacity: 0.8, dash: [0.02 * dome.radius, 0.015 * dome.radius] }));
     const foot: Vec = [at[0], at[1], dome.centre[2]];
     group.add(segments([[at, foot], [foot, dome.centre]], { colour: look.faint, width: 1, opacity: 0.45, dash: [0.012 * dome.radius, 0.012 * dome.radius] }));
   }

@@ -49,7 +49,7 @@ function drawSurface(surface: RoomSurface, look: Look, inner: Vec, [low, high]: 
     : surface.triangles;
   const mesh = faces(turned, `#${shade.getHexString()}`, { isDouble: !isSide, lifts: 2 });
   if (isSide) (mesh.material as MeshBasicMaterial).side = FrontSide;
-  mesh.name = surface.name;
+  mesh.userData.isWall = isSide;
   group.add(mesh);
   group.add(segments(surface.outlines.flatMap((loop) => joined(loop, true)), { colour: look.edge, width: isSide ? 1.5 : 1, opacity: isSide ? 0.9 : 0.6 }));
   return group;

@@ -1,6 +1,6 @@
 // The room's picture in WebGL: drawn again only when something has changed.
 
-import { Group, type Mesh, OrthographicCamera, PerspectiveCamera, Raycaster, Scene, type Sprite, Vector2, Vector3, WebGLRenderer } from "three";
+import { Group, type Mesh, OrthographicCamera, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import type { LightPaths, RoomScene, RoomWindow, SunTold, Vec } from "./room_answers";
 import type { Look } from "./room_colours";
 import { type Dome, domeOf, type Eye, HALF_VIEW_DEG, place } from "./room_eye";
@@ -9,7 +9,7 @@ import { drawLight, type LightShown } from "./room_light";
 import { discard } from "./room_lines";
 import { type DomeWords, drawGround, drawSun, drawSunPaths } from "./room_sky_dome";
 import { drawRoom } from "./room_solids";
-import { middle } from "./room_space";
+import { dot, middle } from "./room_space";
 
 export interface Shown extends LightShown {
   sunPath: boolean;
@@ -35,7 +35,7 @@ export class Stage {
   private readonly wide = new PerspectiveCamera(2 * HALF_VIEW_DEG, 1, 0.05, 2000);
   private readonly flat = new OrthographicCamera();
   private readonly parts = new Map<Part, { group: Group; from: unknown[] }>();
-  private cells: Mesh | null = null;
+  private cells: Mesh[] = [];
   private staged: Staged | null = null;
   private size: [number, number] = [1, 1];
   private waiting = 0;
@@ -64,11 +64,11 @@ export class Stage {
     const hasDome = shown.sunPath && !staged.eye.isFlat;
     const days = sun && hasDome ? JSON.stringify([sun.day, sun.seasons.map((one) => one.points[0])]) : "";
     this.part("paths", [scene, look, days], () => dome && sun && hasDome && drawSunPaths(sun, dome, look, words));
-    this.part("sun", [scene, look, sun, hasDome], () => dome && sun && hasDome && drawSun(sun, dome, look, aim(scene)));
+    this.part("sun", [scene, look, sun, hasDome], () => dome && sun && hasDome && drawSun(sun, dome, look, aim(scene, sun)));
     this.part("light", [light, scene, look, JSON.stringify(shown)], () => light && scene && drawLight(light, scene.windows, shown, look));
     const isFieldShown = shown.field && field && field.values.length === field.plane.points_m.length;
     this.part("field", [field?.plane, field?.values, JSON.stringify(field?.scale), field?.isStale, field?.picked, isFieldShown, look], () => {
-      this.cells = null;
+      this.cells = [];
       if (!isFieldShown) return null;
       const made = drawField(field, look);
       this.cells = made.cells;
@@ -119,9 +119,14 @@ export class Stage {
     const high = this.size[1];
     // words keep their height in pixels
     const tall = camera === this.flat ? (2 * this.flat.top) / high : (2 * Math.tan((HALF_VIEW_DEG * Math.PI) / 180)) / high;
+    const walls = this.parts.get("room")?.group.children.flatMap((one) => one.children).filter((one) => one.userData.isWall) ?? [];
     this.scene.traverse((one) => {
       const pixels = one.userData.pixels as [number, number] | undefined;
-      if (pixels) (one as Sprite).scale.set(pixels[0] * tall, pixels[1] * tall, 1);
+      if (!pixels) return;
+      one.scale.set(pixels[0] * tall, pixels[1] * tall, 1);
+      // words behind a wall are left out rather than cut
+      const way = one.position.clone().sub(camera.position);
+      one.visible = !new Raycaster(camera.position, way.clone().normalize(), 0, way.length()).intersectObjects(walls, false).length;
     });
     this.renderer.render(this.scene, camera);
     this.drawn++;
@@ -137,9 +142,9 @@ export class Stage {
     if (sun && ray.intersectObjects(sun.children.filter((one) => one.userData.isSun)).length) return { kind: "sun" };
     const room = this.parts.get("room")?.group.children.flatMap((one) => one.children) ?? [];
     const panes = room.filter((one) => one.userData.window);
-    const first = ray.intersectObjects([...panes, ...(this.cells ? [this.cells] : [])], false)[0];
+    const first = ray.intersectObjects([...panes, ...this.cells], false)[0];
     if (!first) return null;
-    if (first.object === this.cells) return { kind: "cell", cell: Math.floor((first.faceIndex ?? 0) / 2) };
+    if (this.cells.includes(first.object as Mesh)) return { kind: "cell", cell: Math.floor((first.faceIndex ?? 0) / 2) };
     return { kind: "window", window: first.object.userData.window as RoomWindow };
   }
 
@@ -185,5 +190,8 @@ export class Stage {
   }
 }
 
-/** Where the line from the sun ends: in the middle of the windows. */
-const aim = (scene: RoomScene): Vec => (scene.windows.length ? middle(scene.windows.flatMap((one) => one.outline_m)) : middle(scene.inside_m));
+/** Where the line from the sun ends: in the middle of the windows that look to it. */
+function aim(scene: RoomScene, sun: SunTold): Vec | null {
+  const lit = scene.windows.filter((one) => dot(one.normal, sun.direction) < 0);
+  return lit.length ? middle(lit.flatMap((one) => one.outline_m)) : null;
+}

@@ -1,6 +1,7 @@
 // The tables of a room's file: values read and written by their place, glazings of window parts chosen.
 
-import type { Tables } from "./room_answers";
+import type { Fault } from "./ask";
+import type { RoomSlider, Tables } from "./room_answers";
 import type { Panel } from "./state";
 
 type Path = (string | number)[];
@@ -67,4 +68,18 @@ export const panelTable = (panel: Panel): Tables => ({ ...panel });
 /** What stands in place of the file's tables, if anything does. */
 export function changes(file: Tables, tables: Tables): Tables {
   return Object.fromEntries(Object.entries(tables).filter(([name, value]) => JSON.stringify(file[name]) !== JSON.stringify(value)));
+}
+
+/** A fault with the slider it is about as its field, where its words tell: "[table] of the room: name must …". */
+export function placed(fault: Fault, sliders: RoomSlider[]): Fault {
+  const said = /\[\[?(\w+)\]?\].*?: (\w+) must/.exec(fault.message);
+  const isBeyond = /^window .* must lie within its wall/.test(fault.message);
+  const isParts = /heights of the parts/.test(fault.message);
+  const found = sliders.find(({ path, name }) => {
+    const table = path.filter((one) => typeof one === "string").at(-2);
+    if (isBeyond) return table === "opening" && name === "width_m";
+    if (isParts) return table === "part";
+    return said !== null && table === said[1] && name === said[2];
+  });
+  return found ? { ...fault, field: found.path.join(".") } : fault;
 }

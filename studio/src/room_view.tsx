@@ -85,7 +85,7 @@ export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
   };
   const toml = about.value?.files.filter((file) => file.kind === "toml").map((file) => file.path) ?? [];
   const weathers = about.value?.files.filter((file) => file.kind === "weather" || file.path.endsWith(".epw")).map((file) => file.path) ?? [];
-  const faults = [...scene.faults, ...sun.faults, ...paths.faults, ...light.faults].filter((fault, k, all) => all.findIndex((one) => one.message === fault.message) === k);
+  const faults = [...scene.faults, ...sun.faults, ...paths.faults, ...light.faults].filter((fault, k, all) => !/key must be/.test(fault.message) && all.findIndex((one) => one.message === fault.message) === k);
   return (
     <div class="view roomView">
       <aside class="side" aria-label={said.room}>
@@ -153,8 +153,8 @@ export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
           <RoomLegend room={room} isDark={isDark} onChange={put} />
         </section>
         <RoomNumbers told={told} unit={unit} light={light.value} isStale={isStale} />
-        <RoomProgress work={work} target={room.error} />
-        <Faults faults={asked.sunWork.faults} />
+        <RoomProgress work={work} target={room.error} known={faults} />
+        {sun.value?.is_up && (light.value?.outside.direct_normal_lx ?? 0) > 0 && <Faults faults={asked.sunWork.faults.filter((fault) => !/sunshine|key must/.test(fault.message))} />}
         {scene.value && plane && isMatching && scale && (
           <RoomFigures room={room} scene={scene.value} plane={plane} told={told} scale={scale} unit={unit} light={light.value} isStale={isStale} sensorTold={sensorTold} onChange={put} />
         )}
