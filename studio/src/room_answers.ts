@@ -97,11 +97,12 @@ export interface LightBeam {
   power: number;
   direction: Vec;
   total_reflections: number;
-  corners: Vec[][];
 }
 export interface Patch {
   surface: string;
   polygon: Vec[];
+  /** The same corners where the beam leaves its window. */
+  source: Vec[];
   beam: number;
   illuminance_per_normal: number;
 }

@@ -33,6 +33,7 @@ export function drawField(field: Field, look: Look): { group: Group; cells: Mesh
   const isTurned = dot(normalOf(cells[0]), field.plane.normals[0]) < 0;
   (mesh.material as Material).side = isTurned ? BackSide : FrontSide;
   (behind.material as Material).side = isTurned ? FrontSide : BackSide;
+  (mesh.material as Material).depthWrite = true;
   mesh.renderOrder = behind.renderOrder = 0;
   const both = new Group();
   both.add(mesh, behind);

@@ -1,7 +1,7 @@
 // The light in the room: paths from outside to ceiling and on, shafts of sunlight, sunlit patches.
 
 import { AdditiveBlending, Group, type MeshBasicMaterial, NormalBlending } from "three";
-import type { LightBeam, LightPaths, PathKind, RoomWindow, Vec } from "./room_answers";
+import type { LightBeam, LightPaths, Patch, PathKind, RoomWindow, Vec } from "./room_answers";
 import { type Look, pathColour } from "./room_colours";
 import { fan, faces, joined, segments } from "./room_lines";
 import { dot, minus } from "./room_space";
@@ -31,7 +31,7 @@ export function drawLight(light: LightPaths, windows: RoomWindow[], shown: Light
         group.add(lines);
       });
   if (shown.patches) drawPatches(light, look, shown).forEach((one) => group.add(one));
-  if (shown.beams) light.beams.forEach((beam) => isShown(beam, shown) && group.add(drawShaft(beam, look)));
+  if (shown.beams) light.beams.forEach((beam, k) => isShown(beam, shown) && group.add(drawShaft(light.patches.filter((one) => one.beam === k), beam, look)));
   return group;
 }
 
@@ -67,36 +67,47 @@ function piecesOf(light: LightPaths, windows: RoomWindow[]): Piece[] {
 const isShown = (beam: LightBeam, shown: LightShown) => (beam.total_reflections > 0 ? shown.redirected : shown.direct);
 const beamColour = (beam: LightBeam | undefined, look: Look) => pathColour(beam && beam.total_reflections > 0 ? "redirected" : "direct", look.isDark);
 
-/** The sides of a shaft, from the corners of its window to where they land. */
-function drawShaft(beam: LightBeam, look: Look): Group {
+/** The sides of a beam from its window to where it lands, as strong as the light in it. */
+function drawShaft(patches: Patch[], beam: LightBeam, look: Look): Group {
   const group = new Group();
+  if (!patches.length) return group;
   const colour = beamColour(beam, look);
-  const sides = beam.corners.flatMap((from, k) => {
-    const to = beam.corners[(k + 1) % beam.corners.length];
-    return fan([from[0], to[0], to[to.length - 1], from[from.length - 1]]);
-  });
-  const mesh = faces(sides, colour, { opacity: (look.isDark ? 0.13 : 0.12) * Math.min(1, 0.35 + beam.power), isDouble: true });
+  const strength = Math.min(1, Math.max(...patches.map((one) => one.illuminance_per_normal)));
+  const sides = patches.flatMap(({ polygon, source }) => polygon.map((_, k): Vec[] => [source[k], source[(k + 1) % source.length], polygon[(k + 1) % polygon.length], polygon[k]]));
+  const outer = alone(sides, (side) => [side[3], side[2]]);
+  const mesh = faces(outer.flatMap(fan), colour, { opacity: (look.isDark ? 0.1 : 0.13) * (0.4 + 0.6 * strength), isDouble: true });
   (mesh.material as MeshBasicMaterial).blending = look.isDark ? AdditiveBlending : NormalBlending;
   mesh.renderOrder = 3;
-  group.add(mesh);
-  const edges = segments(beam.corners.map((one): [Vec, Vec] => [one[0], one[one.length - 1]]), { colour, width: 1, opacity: 0.45 });
+  const edges = segments(outer.map((side): [Vec, Vec] => [side[0], side[3]]), { colour, width: 1, opacity: 0.4 });
   edges.renderOrder = 3;
-  group.add(edges);
+  group.add(mesh, edges);
   return group;
 }
 
 function drawPatches(light: LightPaths, look: Look, shown: LightShown): Group[] {
   const most = Math.max(...light.patches.map((one) => one.illuminance_per_normal), 1e-9);
-  return light.patches.flatMap((patch) => {
-    const beam = light.beams[patch.beam];
-    if (patch.polygon.length < 3 || (beam && !isShown(beam, shown))) return [];
+  return light.beams.map((beam, k) => {
     const group = new Group();
+    const own = light.patches.filter((one) => one.beam === k);
+    if (!own.length || !isShown(beam, shown)) return group;
     const colour = beamColour(beam, look);
-    const mesh = faces(fan(patch.polygon), colour, { opacity: 0.22 + 0.5 * Math.min(1, patch.illuminance_per_normal / most), isDouble: true, lifts: -2 });
-    mesh.renderOrder = 1;
-    const edges = segments(joined(patch.polygon, true), { colour, width: 1.3, opacity: 0.85 });
+    for (const patch of own) {
+      const mesh = faces(fan(patch.polygon), colour, { opacity: 0.2 + 0.5 * Math.sqrt(patch.illuminance_per_normal / most), isDouble: true, lifts: -2 });
+      mesh.renderOrder = 1;
+      group.add(mesh);
+    }
+    const rim = alone(own.flatMap((one) => joined(one.polygon, true)), (ends) => ends);
+    const edges = segments(rim, { colour, width: 1.4, opacity: 0.9 });
     edges.renderOrder = 1;
-    group.add(mesh, edges);
-    return [group];
+    group.add(edges);
+    return group;
   });
+}
+
+/** Those whose edge no other shares: pieces that meet are one. */
+function alone<T>(all: T[], edge: (one: T) => [Vec, Vec]): T[] {
+  const key = (one: T) => edge(one).map((at) => at.map((x) => Math.round(500 * x)).join(" ")).sort().join(",");
+  const times = new Map<string, number>();
+  for (const one of all) times.set(key(one), (times.get(key(one)) ?? 0) + 1);
+  return all.filter((one) => times.get(key(one)) === 1);
 }

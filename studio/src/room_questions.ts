@@ -5,6 +5,9 @@ import { type Answer, type Doing, useAnswer, useJob, useOnce } from "./follow";
 import type { LightPaths, Plane, RoomKinds, RoomLight, RoomScene, RoomWork, SunTold, Tables } from "./room_answers";
 import type { RoomState } from "./room_state";
 
+/** Places of each window from which paths are drawn. */
+const PATHS = 8;
+
 export interface Asked {
   kinds: Answer<RoomKinds>;
   /** The tables of the file alone, and with what was changed. */
@@ -42,7 +45,7 @@ export function useRoom(state: RoomState): Asked {
   const site = scene.value?.site ?? null;
   const when = { day_of_year: state.day, hour };
   const sun = useAnswer<SunTold>("/api/room/sun", site && { site, ...when });
-  const paths = useAnswer<LightPaths>("/api/room/paths", room && site && { room, variant, ...when });
+  const paths = useAnswer<LightPaths>("/api/room/paths", room && site && { room, variant, ...when, density: PATHS });
   const names = scene.value?.plane_names ?? [];
   const plane = names.includes(state.plane) ? state.plane : (names[0] ?? "");
   const laid = useAnswer<RoomScene>("/api/room/scene", room && plane && plane !== names[0] ? { room, variant, planes: [plane] } : null);
