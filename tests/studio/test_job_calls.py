@@ -67,11 +67,11 @@ def test_a_cancelled_job_stops_within_a_second_and_the_next_one_runs(client: Any
     late = time.monotonic() + 30.0
     while client.get(f"/api/jobs/{key}").json()["done"] < 1 and time.monotonic() < late:
         time.sleep(0.05)
-    processes = [one for one in client.app.state.jobs.processes() if one.is_alive]
+    processes = [one for one in client.app.state.jobs.processes() if one.is_busy]
     assert processes
     before = time.monotonic()
     assert client.delete(f"/api/jobs/{key}").json()["state"] == "cancelled"
-    while any(one.is_alive for one in processes) and time.monotonic() < before + 5.0:
+    while any(one.is_busy for one in processes) and time.monotonic() < before + 5.0:
         time.sleep(0.01)
     assert time.monotonic() - before < 1.0
     assert ended(client, key)[-1]["state"] == "cancelled"

@@ -33,6 +33,7 @@ from clerestory.studio.room_asked import Rooms
 from clerestory.studio.room_shelf import RoomShelf
 from clerestory.studio.settings import Settings
 from clerestory.studio.shapes import TEXT, listed, record, word
+from clerestory.studio.warming import warm_beside
 
 #: The built page, which comes with the wheel.
 PAGE = Path(__file__).parent / "page"
@@ -93,6 +94,7 @@ def make_app(settings: Settings) -> Starlette:
 def _about(request: Request, asked: Asked) -> dict[str, Any]:
     """The version, and the files of the studio's folder that a view opens."""
     request.app.state.jobs.warm()
+    warm_beside()
     folder = request.app.state.settings.folder
     return {"version": _native.__version__, "folder": folder.name, "files": files_of(folder)}
 

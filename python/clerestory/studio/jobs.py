@@ -12,10 +12,12 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from clerestory.errors import ClerestoryError
-from clerestory.studio.worker import faults_of, serve_jobs
+from clerestory.studio.worker import STOP, faults_of, serve_jobs
 
 #: Jobs that are over and can still be asked about.
 _KEPT = 64
+#: How long a process may take to leave a job that was cancelled before it is ended [s].
+_PATIENCE_S = 0.4
 
 
 @dataclass(eq=False)
@@ -143,7 +145,7 @@ class Jobs:
             return self._jobs.get(key)
 
     def cancel(self, key: str) -> Job | None:
-        """Ends a job; its process is ended within a twentieth of a second. One that is over stays as it is."""
+        """Ends a job; its process stops at once or is ended. One that is over stays as it is."""
         with self._changed:
             job = self._jobs.get(key)
             if job is not None and not job.is_over:
@@ -189,7 +191,8 @@ class Jobs:
                 process = self._started()
             if not self._follow(job, process):
                 process.end()
-                process = None
+                # the next job finds it ready
+                process = self._started() if self._is_open else None
         if process is not None:
             process.end()
 
@@ -201,20 +204,24 @@ class Jobs:
 
     def _follow(self, job: Job, process: _Process) -> bool:
         """Reads what the process says of a job; False if the process is to be ended."""
-        late = time.monotonic() + self.most_seconds
         try:
-            process.pipe.send((job.kind, job.arguments))
+            while not process.is_ready(0.05):
+                if job.is_over:
+                    return True
+            late = time.monotonic() + self.most_seconds
+            process.begin(job.kind, job.arguments)
             while True:
                 if process.pipe.poll(0.05):
                     word, value = process.pipe.recv()
+                    process.is_busy = word == "progress"
                     if self._heard(job, word, value):
                         return True
                 with self._changed:
-                    if job.is_over:
-                        return False
-                    if time.monotonic() > late:
+                    if not job.is_over and time.monotonic() > late:
                         self._fail(job, f"a job may take {self.most_seconds:g} seconds, it took more: ask for less")
                         return False
+                if job.is_over:
+                    return process.stop()
         except (EOFError, OSError):
             with self._changed:
                 if not job.is_over:
@@ -246,9 +253,16 @@ class Jobs:
 
 
 class _Process:
-    """A process that does one job after another."""
+    """A process that does one job after another.
+
+    Attributes
+    ----------
+    is_busy : bool
+        Whether it does one.
+    """
 
     def __init__(self) -> None:
+        self.is_busy, self._is_ready = False, False
         context = multiprocessing.get_context("spawn")
         self.pipe, theirs = context.Pipe()
         self._process = context.Process(target=serve_jobs, args=(theirs,), daemon=True)
@@ -260,8 +274,31 @@ class _Process:
         """Whether it runs."""
         return self._process.is_alive()
 
+    def is_ready(self, patience_s: float) -> bool:
+        """Whether it has loaded what it needs, or does so within some seconds."""
+        if not self._is_ready and self.pipe.poll(patience_s):
+            self._is_ready = self.pipe.recv()[0] == "ready"
+        return self._is_ready
+
+    def begin(self, kind: str, arguments: dict[str, Any]) -> None:
+        """Gives it a job."""
+        self.is_busy = True
+        self.pipe.send((kind, arguments))
+
+    def stop(self) -> bool:
+        """Asks it to leave its job; False if it does not answer soon and is to be ended."""
+        self.pipe.send(STOP)
+        late = time.monotonic() + _PATIENCE_S
+        while self.pipe.poll(max(0.0, late - time.monotonic())):
+            # it may have been done just then
+            if self.pipe.recv()[0] in ("stopped", "done", "failed"):
+                self.is_busy = False
+                return True
+        return False
+
     def end(self) -> None:
         """Ends it, whatever it is doing."""
+        self.is_busy = False
         self._process.terminate()
         self._process.join(1.0)
         if self._process.is_alive():

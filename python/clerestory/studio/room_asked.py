@@ -7,6 +7,7 @@ import json
 import threading
 from collections import OrderedDict
 from dataclasses import dataclass, field
+from datetime import date, time
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -151,8 +152,18 @@ def _tables_of(root: Path, room: Any) -> tuple[dict[str, Any], Path]:
         raise ClerestoryError(f"room must have tables or a path, got {sorted(room)}")
     if "path" in room:
         path = confined(root, root, room["path"], "path")
-        return read_toml(path), path.parent
+        tables: dict[str, Any] = _without_dates(read_toml(path))
+        return tables, path.parent
     tables = room["tables"]
     if not isinstance(tables, dict):
         raise ClerestoryError(f"tables must be those of a room file, got {type(tables).__name__}")
     return tables, root
+
+
+def _without_dates(value: Any) -> Any:
+    """Dates and times, which JSON has not, as the text that the file has."""
+    if isinstance(value, (date, time)):
+        return value.isoformat()
+    if isinstance(value, dict):
+        return {name: _without_dates(one) for name, one in value.items()}
+    return [_without_dates(one) for one in value] if isinstance(value, list) else value

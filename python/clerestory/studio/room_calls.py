@@ -18,7 +18,7 @@ from clerestory.studio.room_path_answers import paths_of
 from clerestory.studio.room_sky import moment_of
 from clerestory.studio.room_sun_answers import altitude_azimuth, asked_site, checked_angles, moment
 from clerestory.studio.room_sun_answers import sun_of as sun_course
-from clerestory.studio.shapes import INTEGER, NUMBER, TABLE, TEXT, listed
+from clerestory.studio.shapes import FLAG, INTEGER, NUMBER, TABLE, TEXT, listed
 from clerestory.studio.toml_kinds import toml_of
 
 _EXAMPLE = {"tables": start_tables()}
@@ -48,7 +48,7 @@ def scene(request: Request, asked: Asked) -> dict[str, Any]:
 
 def sun(_: Request, asked: Asked) -> dict[str, Any]:
     """Where the sun stands at a site, through the day and the year."""
-    return sun_course(asked_site(asked["site"]), asked["day_of_year"], asked["hour"])
+    return sun_course(asked_site(asked["site"]), asked["day_of_year"], asked["hour"], course=asked["course"])
 
 
 def paths(request: Request, asked: Asked) -> dict[str, Any]:
@@ -111,7 +111,16 @@ ROUTES = [
             "spacing_m": Field(NUMBER, "Of sensors that lie on surfaces [m]", None),
         },
     ),
-    call("/api/room/sun", sun, {"site": _SITE, "day_of_year": DAY, "hour": HOUR}),
+    call(
+        "/api/room/sun",
+        sun,
+        {
+            "site": _SITE,
+            "day_of_year": DAY,
+            "hour": HOUR,
+            "course": Field(FLAG, "Whether to tell the sun's way through the day and the year too", True),
+        },
+    ),
     call(
         "/api/room/paths",
         paths,
@@ -133,7 +142,7 @@ ROUTES = [
             "day_of_year": DAY,
             "hour": HOUR,
             "sky": SKY,
-            "sun_rounds": Field(INTEGER, "Of the sun's light, if less is known of it [2..64]", None),
+            "sun_rounds": Field(INTEGER, "Of the sun's light, if less is known of it [4..64]", None),
         },
     ),
     call("/api/room/toml", to_toml, {"room": ROOM}),

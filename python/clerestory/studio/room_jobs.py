@@ -22,6 +22,8 @@ from clerestory.studio.shapes import INTEGER, NUMBER, TEXT, word
 #: Bases that the studio computes in, and how many rounds a job may take.
 BASES = ("tregenza145", "reinhart577", "reinhart2305")
 _MOST_ROUNDS = 4096
+#: Processor time of a first pass that makes it worth telling alone [s].
+_SOON_S = 0.5
 
 ROOM_FIELDS = {
     "room": ROOM,
@@ -89,7 +91,9 @@ def asked_sun_job(request: Request, asked: Asked) -> dict[str, Any]:
 def keep_pass(state: Any, arguments: Asked, partial: Any) -> Any:
     """Keeps the pass that a job sends, and tells the page how good all are together."""
     state.room_shelf.add(arguments["key"], partial["number"], (partial["batch"], partial["cpu_seconds"]))
-    return partial["told"]
+    # the scatter of one pass says nothing; it is waited for, unless that is long
+    is_early = partial["told"]["passes"] < 2 and partial["cpu_seconds"] < _SOON_S
+    return None if is_early else partial["told"]
 
 
 def keep_sun_pass(state: Any, arguments: Asked, partial: Any) -> Any:

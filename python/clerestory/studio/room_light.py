@@ -10,13 +10,13 @@ import numpy as np
 from clerestory.coefficients import PARTS
 from clerestory.sky.cie_sky import CieSky
 from clerestory.studio.room_numbers import whole
-from clerestory.studio.room_pool import Pool, relative
+from clerestory.studio.room_pool import Array, Pool, relative, scatter
 from clerestory.studio.room_shelf import Kept, RoomShelf, Sun
 from clerestory.studio.room_sky import Moment, direction_is_up
 from clerestory.studio.room_work import sun_pass
 
-#: Rounds of the sun's light without a wait, and the most that may be asked for.
-_SUN_ROUNDS, _MOST_SUN_ROUNDS = 2, 64
+#: Rounds of the sun's light without a wait, those of one pass, and the most that may be asked for.
+_SUN_ROUNDS, _PASS_ROUNDS, _MOST_SUN_ROUNDS = 4, 2, 64
 #: Suns closer than this are one [degrees].
 _SUN_DIGITS = 4
 
@@ -32,67 +32,72 @@ def light_of(shelf: RoomShelf, kept: Kept, now: Moment, sun_rounds: Any) -> dict
     sun_rounds : int, optional
         Of the sun's light, if less is known of it.
     """
-    rounds = _SUN_ROUNDS if sun_rounds is None else whole("sun_rounds", sun_rounds, 2, _MOST_SUN_ROUNDS)
-    count = len(kept.sensors)
+    rounds = _SUN_ROUNDS if sun_rounds is None else whole("sun_rounds", sun_rounds, 4, _MOST_SUN_ROUNDS)
     pool = kept.pool
-    sky, sky_error = np.zeros(count), np.zeros(count)
+    dark = np.zeros(len(kept.sensors))
+    sky, sky_error, sky_each = dark, dark, dark[None]
     reflectance = kept.asked.room(kept.variant).ground_reflectance
     if now.sky is not None:
         luminance = now.sky.matrix(kept.basis, ground_reflectance=reflectance).values
-        _, sky, sky_error = pool.total(luminance)
-    sun = np.zeros((len(PARTS), count))
-    sun_error = np.zeros(count)
-    known = Pool()
+        sky_each = pool.each(luminance).sum(axis=1)
+        sky, sky_error = np.tensordot(pool.shares, sky_each, axes=1), scatter(sky_each, pool.shares)
+    sun, sun_error, sun_each, known = np.zeros((len(PARTS), len(dark))), dark, dark[None], Pool()
     if direction_is_up(now):
         known = sun_pool(shelf, kept, sun_of(now), rounds)
         sun = known.parts()[..., 0] * now.direct_normal_lx
         sun_error = known.judged()[1] * now.direct_normal_lx
+        sun_each = np.stack([one.judged for one in known.batches]) * now.direct_normal_lx
     total = sky + sun.sum(axis=0)
     error = np.hypot(sky_error, sun_error)
     worst, average = relative(error, total)
-    mean = float(total.mean())
+    mean, darkest = float(total.mean()), int(total.argmin())
+    ratio = float(total[darkest] / mean) if mean > 0.0 else None
+
+    def error_of(weights: Array) -> float:
+        """Standard error of a weighted sum over sensors, whose errors go together."""
+        return float(
+            np.hypot(
+                scatter(sky_each @ weights, pool.shares) if now.sky is not None else 0.0,
+                scatter(sun_each @ weights, known.shares) if known.batches else 0.0,
+            )
+        )
+
+    even = np.full(len(dark), 1.0 / len(dark))
+    change = -even * total[darkest] / mean**2 if mean > 0.0 else even
+    change[darkest] += 1.0 / mean if mean > 0.0 else 0.0
     return {
         "plane": kept.sensors.name,
         "total_lx": total,
         "standard_error_lx": error,
-        "parts": {
-            "sky": sky,
-            "sun_direct": sun[0],
-            "sun_redirected": sun[1],
-            "sun_interreflected": sun[2],
-        },
+        "sky_standard_error_lx": sky_error,
+        "sun_standard_error_lx": sun_error,
+        "parts": {"sky": sky, **{f"sun_{part}": sun[k] for k, part in enumerate(PARTS)}},
         "mean_lx": mean,
+        "mean_standard_error_lx": error_of(even),
         "least_lx": float(total.min()),
         "most_lx": float(total.max()),
-        "uniformity": float(total.min() / mean) if mean > 0.0 else None,
+        "uniformity": ratio,
+        "uniformity_standard_error": None if ratio is None else error_of(change),
         "worst_relative_error": worst,
         "mean_relative_error": average,
         "rounds": pool.rounds,
         "sun_rounds": known.rounds,
-        "sun": {
-            "altitude_deg": now.altitude_deg,
-            "azimuth_deg": now.azimuth_deg,
-            "is_up": now.altitude_deg > 0.0,
-        },
+        "sun": {"altitude_deg": now.altitude_deg, "azimuth_deg": now.azimuth_deg, "is_up": now.altitude_deg > 0.0},
         "outside": {
             "diffuse_horizontal_lx": now.diffuse_horizontal_lx,
             "direct_normal_lx": now.direct_normal_lx,
             "sky": now.about,
         },
-        **daylight_factor_of(kept, reflectance),
+        **daylight_factor_of(pool),
     }
 
 
-def daylight_factor_of(kept: Kept, ground_reflectance: float) -> dict[str, Any]:
+def daylight_factor_of(pool: Pool) -> dict[str, Any]:
     """Daylight factor at each sensor under the traditional overcast sky [percent], with its standard error."""
     overcast = CieSky(sky_type=16, zenith_luminance_cd_m2=1.0)
     scale = 100.0 / overcast.diffuse_horizontal_lx
-    luminance = overcast.matrix(kept.basis, ground_reflectance=ground_reflectance).values
-    _, total, _ = kept.pool.total(luminance)
-    return {
-        "daylight_factor_percent": total * scale,
-        "daylight_factor_standard_error_percent": kept.pool.judged()[1] * scale,
-    }
+    mean, error = pool.judged()
+    return {"daylight_factor_percent": mean * scale, "daylight_factor_standard_error_percent": error * scale}
 
 
 def sun_of(now: Moment) -> Sun:
@@ -101,11 +106,12 @@ def sun_of(now: Moment) -> Sun:
 
 
 def sun_pool(shelf: RoomShelf, kept: Kept, sun: Sun, rounds: int) -> Pool:
-    """What is known of one sun's light; computed now if that is nothing yet or less than asked for."""
+    """What is known of one sun's light; computed now as far as it is less than asked for."""
     known = shelf.sun(kept, sun)
-    if known.rounds >= rounds:
-        return known
-    cpu = time.thread_time()
-    batch = sun_pass(kept.asked.room(kept.variant), kept.sensors, sun, known.passes, max(2, rounds - known.rounds))
-    added = shelf.add_sun(kept.key, sun, known.passes, (batch, time.thread_time() - cpu))
-    return known.with_batch(batch, 0.0) if added is None else added
+    room = kept.asked.room(kept.variant)
+    while known.rounds < rounds:
+        cpu = time.thread_time()
+        batch = sun_pass(room, kept.sensors, sun, known.passes, _PASS_ROUNDS)
+        pooled = (batch, time.thread_time() - cpu)
+        known = shelf.add_sun(kept.key, sun, known.passes, pooled) or known.with_batch(*pooled)
+    return known

@@ -86,18 +86,14 @@ class Pool:
         """Memory of the batches."""
         return sum(one.parts.nbytes for one in self.batches)
 
-    def parts(self, vector: Any = None) -> Array:
-        """Mean parts, shape (part, sensor, …), or with a vector over the last axis (part, sensor)."""
-        each = [one.parts if vector is None else one.parts @ vector for one in self.batches]
-        return np.asarray(sum(w * x for w, x in zip(self.shares, each, strict=True)), dtype=np.float64)
+    def parts(self) -> Array:
+        """Mean parts, as they are in the batches."""
+        return np.asarray(sum(w * one.parts for w, one in zip(self.shares, self.batches, strict=True)), dtype=float)
 
-    def total(self, vector: Any) -> tuple[Array, Array, Array]:
-        """Parts (part, sensor), their sum (sensor,) and its standard error, for luminances of the patches."""
-        vector = np.asarray(vector, dtype=np.float64)
-        each = np.stack([one.parts @ vector.astype(one.parts.dtype) for one in self.batches]).astype(np.float64)
-        shares = self.shares
-        parts = np.tensordot(shares, each, axes=1)
-        return parts, parts.sum(axis=0), scatter(each.sum(axis=1), shares)
+    def each(self, vector: Any) -> Array:
+        """Parts of every batch times a vector over the last axis, such as luminances: (batch, part, sensor)."""
+        found = [one.parts @ np.asarray(vector, dtype=one.parts.dtype) for one in self.batches]
+        return np.stack(found).astype(np.float64)
 
     def judged(self) -> tuple[Array, Array]:
         """The judged sum and its standard error, from the scatter of all rounds within their batches."""

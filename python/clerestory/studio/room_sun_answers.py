@@ -45,27 +45,25 @@ def moment(site: Site, day_of_year: Any, hour: Any, *, year: int = YEAR) -> pd.T
     return _clock(site, np.array([day]), np.array([within("hour", hour, 0.0, 24.0)]), year)[0]
 
 
-def sun_of(site: Site, day_of_year: Any, hour: Any) -> dict[str, Any]:
+def sun_of(site: Site, day_of_year: Any, hour: Any, *, course: bool = True) -> dict[str, Any]:
     """The sun now, its way through the day, through the seasons, and its place at each full hour through the year.
 
-    Altitudes are as seen through the air [degrees].
+    Altitudes are as seen through the air [degrees]. Without ``course`` the sun now alone.
     """
     now = moment(site, day_of_year, hour)
     altitude, azimuth = altitude_azimuth(site, [now])
-    day = _way(site, int(day_of_year))
-    up = [(row["hour"], row["altitude_deg"]) for row in day["points"]]
-    rises = _crossings(site, int(day_of_year), up)
-    return {
+    found = {
         "time": now.isoformat(),
         "altitude_deg": float(altitude[0]),
         "azimuth_deg": float(azimuth[0]),
         "direction": direction_of(altitude, azimuth)[0],
         "is_up": bool(altitude[0] > 0.0),
-        "sunrise_h": rises[0],
-        "sunset_h": rises[1],
-        "day": day["points"],
-        **_year(site),
     }
+    if not course:
+        return found
+    day = int(day_of_year)
+    sunrise, sunset = _rise_and_set(site, day)
+    return found | {"sunrise_h": sunrise, "sunset_h": sunset, "day": _way(site, day), **_year(site)}
 
 
 def altitude_azimuth(site: Site, times: Any) -> tuple[Any, Any]:
@@ -91,13 +89,13 @@ def _points(site: Site, days: Any, hours: Any) -> list[dict[str, Any]]:
 
 
 @lru_cache(maxsize=256)
-def _way(site: Site, day_of_year: int) -> dict[str, Any]:
-    return {"points": _points(site, day_of_year, np.arange(0.0, 24.0 + 1e-9, _STEP_H))}
+def _way(site: Site, day_of_year: int) -> list[dict[str, Any]]:
+    return _points(site, day_of_year, np.arange(0.0, 24.0 + 1e-9, _STEP_H))
 
 
 @lru_cache(maxsize=32)
 def _year(site: Site) -> dict[str, Any]:
-    seasons = [{"label": label, "day_of_year": day, "points": _way(site, day)["points"]} for day, label in _SEASONS]
+    seasons = [{"label": label, "day_of_year": day, "points": _way(site, day)} for day, label in _SEASONS]
     days = np.arange(1, 366, _ANALEMMA_DAYS)
     hours = np.arange(0, 24)
     points = _points(site, np.tile(days, len(hours)), np.repeat(hours, len(days)))
@@ -110,19 +108,17 @@ def _year(site: Site) -> dict[str, Any]:
     return {"seasons": seasons, "analemmas": seen}
 
 
-def _crossings(site: Site, day: int, way: list[tuple[float, float]]) -> tuple[float | None, float | None]:
+@lru_cache(maxsize=256)
+def _rise_and_set(site: Site, day: int) -> tuple[float | None, float | None]:
     """Hours of sunrise and sunset on a day, to a second or so; None where there is none."""
     found: dict[bool, float] = {}
-    for (h0, a0), (h1, a1) in pairwise(way):
-        rising = a0 <= 0.0 < a1
-        if not (rising or a1 <= 0.0 < a0):
-            continue
-        hours = np.linspace(h0, h1, 61)
-        altitude, _ = altitude_azimuth(site, _clock(site, np.full(61, day), hours))
-        above = altitude > 0.0
-        k = int(np.argmax(above if rising else ~above))
-        low, high = float(altitude[k - 1]), float(altitude[k])
-        found.setdefault(rising, float(hours[k - 1] + (hours[k] - hours[k - 1]) * low / (low - high)))
+    for before, after in pairwise(_way(site, day)):
+        rises = before["altitude_deg"] <= 0.0 < after["altitude_deg"]
+        if rises or after["altitude_deg"] <= 0.0 < before["altitude_deg"]:
+            hours = np.linspace(before["hour"], after["hour"], 16)
+            altitude, _ = altitude_azimuth(site, _clock(site, np.full(len(hours), day), hours))
+            order = np.argsort(altitude)
+            found.setdefault(rises, float(np.interp(0.0, altitude[order], hours[order])))
     return found.get(True), found.get(False)
 
 

@@ -9,20 +9,36 @@ from typing import Any
 from clerestory.errors import ClerestoryError
 from clerestory.studio.answers import field_of
 
+#: What a process is told that is to leave its job.
+STOP = "stop"
+
 
 def serve_jobs(pipe: Connection) -> None:
-    """Does jobs from ``pipe`` until it is closed: ("progress", (done, total, partial)) …, then "done" or "failed"."""
+    """Does jobs from ``pipe`` until it is closed.
+
+    Says ("ready", None), then of each job ("progress", (done, total, partial)) … and last "done" or "failed"; after a
+    "stop" on the way, "stopped".
+    """
     # Ctrl-C is the server's to hear, which then ends its processes
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     from clerestory.studio import work
+    from clerestory.studio.warming import warm
 
+    warm()
+    pipe.send(("ready", None))
     while True:
         try:
-            kind, arguments = pipe.recv()
+            asked = pipe.recv()
         except EOFError:
             return
+        if asked == STOP:
+            # it came when the job was done
+            continue
+        kind, arguments = asked
         try:
             pipe.send(("done", work.JOBS[kind](**arguments, tell=_Tell(pipe))))
+        except _StoppedError:
+            pipe.send(("stopped", None))
         except Exception as error:
             pipe.send(("failed", faults_of(error, arguments)))
 
@@ -37,11 +53,17 @@ def faults_of(error: Exception, arguments: dict[str, Any]) -> list[dict[str, Any
     return [{"field": None, "message": fault}]
 
 
+class _StoppedError(Exception):
+    """Nobody wants the job any more."""
+
+
 class _Tell:
-    """Sends how far a job is, with what there is of it."""
+    """Sends how far a job is, with what there is of it; ends the job if it is not wanted any more."""
 
     def __init__(self, pipe: Connection) -> None:
         self._pipe = pipe
 
     def __call__(self, done: float, total: float, partial: Any = None) -> None:
         self._pipe.send(("progress", (done, total, partial)))
+        if self._pipe.poll() and self._pipe.recv() == STOP:
+            raise _StoppedError
