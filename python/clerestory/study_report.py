@@ -51,9 +51,9 @@ def write_report(study: Study, findings: Mapping[str, Findings], folder: str | o
     put("summary.json", partial(Path.write_text, data=numbers, encoding="utf-8"))
     for label, found in findings.items():
         stem = _stem(label)
-        made_from = plan_attributes(study.rooms[label], study.text)
+        made_from = {"variant": label, **plan_attributes(study.rooms[label], study.text)}
         put(f"{stem}-coefficients.nc", partial(_save, found.coefficients.assign_attrs(made_from)))
-        put(f"{stem}-daylight-factor.csv", partial(_table, found.daylight_factor))
+        put(f"{stem}-daylight-factor.csv", partial(_table, found.daylight_factor.assign_attrs(variant=label)))
         if found.illuminance is not None:
             put(f"{stem}-illuminance.nc", partial(_save, found.illuminance.assign_attrs(made_from)))
     for name, figure in _figures(study, findings):

@@ -39,6 +39,17 @@ def client(folder: Path) -> Iterator[TestClient]:
 
 
 @pytest.fixture(scope="session")
+def result_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a result of each kind (tests/studio/results.py)."""
+    pytest.importorskip("optuna")
+    from tests.studio.results import write_results
+
+    place = tmp_path_factory.mktemp("results").resolve()
+    write_results(place)
+    return place
+
+
+@pytest.fixture(scope="session")
 def studio(folder: Path) -> Iterator[str]:
     """The address of a studio in a process of its own."""
     process, url = chromium.started(folder)

@@ -61,7 +61,7 @@ def _read(path: Path, heads: bool) -> tuple[dict[str, Any], list[Any]]:
     import xarray as xr
 
     if path.is_dir():
-        if not (path / "zarr.json").is_file() and not (path / ".zgroup").is_file():
+        if not (path / "zarr.json").is_file():
             raise RefusedError("this folder is no zarr store")
         with xr.open_zarr(path, consolidated=False, chunks=None) as found:
             return _told(found, heads)

@@ -63,6 +63,8 @@ def open_path(shelf: ResultShelf, reader: Reader, folder: Path, asked: Any) -> s
     path = inside(folder, asked)
     name = path.relative_to(folder).as_posix()
     if path.is_dir():
+        if not (path / "zarr.json").is_file():
+            raise ClerestoryError(f"path must be a file or a zarr store (version 3), got the folder {name!r}")
         if any(not one.resolve().is_relative_to(folder) for one in path.rglob("*") if one.is_symlink()):
             raise ClerestoryError(f"path must be a store within the studio's folder, got links out of it in {name!r}")
     elif path.stat().st_size > _MOST_FILE:
@@ -87,7 +89,7 @@ def settled(found: xr.Dataset, name: str, path: str) -> Result:
     if kind == "factor":
         found = found.rename_dims(row="sensor") if "row" not in found else _rows_as_sensors(found)
     _placed(found, name)
-    label = str(found.attrs.get("room") or found.attrs.get("variant") or found.attrs.get("study") or name)
+    label = str(found.attrs.get("variant") or found.attrs.get("room") or found.attrs.get("study") or name)
     if kind == "year":
         data = found if "variant" in found.dims else _with_variant(found, label)
         return Result("year", name, path, data)

@@ -17,6 +17,7 @@ from clerestory.studio.result_shelf import Result
 #: Attribute → what it is called, in the order that they are shown.
 _NAMES = {
     "study": "Study",
+    "variant": "Variant",
     "room": "Room",
     "date": "Computed",
     "clerestory_version": "Version",

@@ -32,6 +32,7 @@ def year(*, folder: str, path: str, tell: Tell) -> dict[str, Any]:
     dict
         ``path`` of the year.nc in the folder.
     """
+    from clerestory.sweep.store import Store
     from clerestory.year import State, read_year, run_year, write_year
 
     home = Path(folder)
@@ -44,6 +45,8 @@ def year(*, folder: str, path: str, tell: Tell) -> dict[str, Any]:
         left = None if math.isnan(state.seconds_left) else round(state.seconds_left, 1)
         tell(state.done, 1.0, {"variant": state.variant, "what": state.what, "seconds_left": left, "path": None})
 
+    # what a run that was cancelled left half written
+    Store(out / "pieces").tidy()
     results = run_year(study, out, follow)
     tell(1.0, 1.0, {"variant": "", "what": "report", "seconds_left": None, "path": None})
     write_year(study, results, out)
