@@ -38,6 +38,7 @@ function Page() {
       <Header state={state} views={VIEWS} view={view} />
       <main id="view" tabIndex={-1}>
         <div id="tabpanel" role="tabpanel" aria-labelledby={`tab-${view}`}>
+          <h2 class="unseen">{words.views[view]}</h2>
         {view === "panel" && <PanelView state={state} isDark={isDark} />}
         {view in LATER && <Later key={view} name={view} state={state} isDark={isDark} />}
         {view === "bsdf" && <BsdfView state={state} />}

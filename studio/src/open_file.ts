@@ -43,7 +43,7 @@ async function openOther(file: File, ending: string): Promise<null> {
     change("view", "bsdf");
   } else {
     const { key } = await send<{ key: string }>(`/api/result?name=${name}`, file);
-    change("year" as never, { key, path: "" } as never);
+    change("year", { key, path: "" });
     change("view", "year");
   }
   return null;
