@@ -15,6 +15,9 @@ interface Props {
   onAspect: (aspect: number) => void;
   onEye: (eye: Eye) => void;
   onHour: (hour: number) => void;
+  hour: number;
+  sunLabel: string;
+  sunText: string;
   onPick: (cell: number) => void;
   onKey: (key: string) => void;
   /** Takes the function that gives the picture as a canvas. */
@@ -24,6 +27,7 @@ interface Props {
 export function Room3D(props: Props) {
   const { staged, label, help, waiting, missing } = props;
   const canvas = useRef<HTMLCanvasElement>(null);
+  const sun = useRef<HTMLDivElement>(null);
   const stage = useRef<Stage | null>(null);
   const newest = useRef(props);
   newest.current = props;
@@ -38,7 +42,12 @@ export function Room3D(props: Props) {
       if (!isWanted) return;
       let made: Stage;
       try {
-        made = new Stage(place);
+        made = new Stage(place, (at) => {
+          const handle = sun.current;
+          if (!handle) return;
+          handle.hidden = !at;
+          if (at) [handle.style.left, handle.style.top] = at.map((one) => `${one}px`);
+        });
       } catch {
         setState("missing");
         return;
@@ -55,7 +64,6 @@ export function Room3D(props: Props) {
         eye: () => newest.current.staged.eye,
         stage: () => made,
         onEye: (eye) => newest.current.onEye(eye),
-        onHour: (hour) => newest.current.onHour(hour),
         onPick: (cell) => newest.current.onPick(cell),
         onMeet: (met, x, y) => {
           const text = newest.current.told(met);
@@ -79,6 +87,20 @@ export function Room3D(props: Props) {
   }, []);
   useEffect(() => stage.current?.show(staged));
 
+  const drag = (event: PointerEvent) => {
+    const box = canvas.current?.getBoundingClientRect();
+    if (!box || (event.type === "pointermove" && !(event.buttons & 1))) return;
+    (event.currentTarget as Element).setPointerCapture(event.pointerId);
+    const hour = stage.current?.hourAt((2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height) ?? null;
+    if (event.type === "pointermove" && hour !== null) props.onHour(hour);
+  };
+  const step = (event: KeyboardEvent) => {
+    const hours = { ArrowRight: 1 / 12, ArrowUp: 1 / 12, ArrowLeft: -1 / 12, ArrowDown: -1 / 12, PageUp: 1, PageDown: -1 }[event.key];
+    if (hours === undefined) return;
+    event.preventDefault();
+    props.onHour(props.hour + hours);
+  };
+
   if (state === "missing")
     return (
       <p class="hint big" role="status">
@@ -94,6 +116,22 @@ export function Room3D(props: Props) {
         aria-label={label}
         aria-describedby="stage-help"
         onKeyDown={(event) => props.onKey(event.key)}
+      />
+      <div
+        ref={sun}
+        class="sunHandle"
+        hidden
+        role="slider"
+        tabIndex={0}
+        aria-label={props.sunLabel}
+        aria-valuemin={0}
+        aria-valuemax={24}
+        aria-valuenow={Math.round(100 * props.hour) / 100}
+        aria-valuetext={props.sunText}
+        title={props.sunText}
+        onPointerDown={drag}
+        onPointerMove={drag}
+        onKeyDown={step}
       />
       <span id="stage-help" class="unseen">
         {help}

@@ -110,6 +110,7 @@ export interface LightPaths {
   paths: LightPath[];
   beams: LightBeam[];
   patches: Patch[];
+  warnings?: string[];
 }
 export interface RoomWork {
   key: string;
@@ -135,6 +136,8 @@ export interface RoomLight {
   worst_relative_error: number;
   outside: { diffuse_horizontal_lx: number; direct_normal_lx: number; sky: string };
   sun_rounds: number;
+  /** What was left out, in words. */
+  notes?: string[];
   daylight_factor_percent: number[] | null;
   daylight_factor_standard_error_percent?: number[];
 }

@@ -1,4 +1,4 @@
-// Hands on the room's picture: turning, moving, zooming, dragging the sun, pointing at things.
+// Hands on the room's picture: turning, moving, zooming, pointing at things.
 
 import { byKey, type Eye, metresPerPixel, moved, rounded } from "./room_eye";
 import type { Met, Stage } from "./room_stage";
@@ -7,7 +7,6 @@ export interface Handled {
   eye: () => Eye;
   stage: () => Stage;
   onEye: (eye: Eye) => void;
-  onHour: (hour: number) => void;
   onMeet: (met: Met, x: number, y: number) => void;
   onPick: (cell: number) => void;
 }
@@ -18,7 +17,7 @@ const DEG_PER_PIXEL = 0.35;
 /** Listens on a canvas until the function that it gives back is called. */
 export function handle(canvas: HTMLCanvasElement, hands: Handled): () => void {
   const held = new Map<number, { x: number; y: number }>();
-  let doing: "turn" | "move" | "sun" | null = null;
+  let doing: "turn" | "move" | null = null;
   let isClick = false;
 
   const relative = (event: { clientX: number; clientY: number }): [number, number] => {
@@ -38,14 +37,14 @@ export function handle(canvas: HTMLCanvasElement, hands: Handled): () => void {
     isClick = held.size === 1;
     if (held.size > 1) doing = "move";
     else if (event.button === 2 || event.button === 1 || event.shiftKey) doing = "move";
-    else doing = hands.stage().meet(...relative(event))?.kind === "sun" ? "sun" : "turn";
+    else doing = "turn";
     canvas.dataset.doing = doing;
   };
   const move = (event: PointerEvent) => {
     const old = held.get(event.pointerId);
     if (!old) {
       const met = hands.stage().meet(...relative(event));
-      canvas.style.cursor = met?.kind === "sun" || !met ? "grab" : "crosshair";
+      canvas.style.cursor = met ? "crosshair" : "grab";
       hands.onMeet(met, ...inside(event));
       return;
     }
@@ -55,10 +54,7 @@ export function handle(canvas: HTMLCanvasElement, hands: Handled): () => void {
     hands.onMeet(null, 0, 0);
     const eye = hands.eye();
     const high = canvas.clientHeight;
-    if (doing === "sun") {
-      const hour = hands.stage().hourAt(...relative(event));
-      if (hour !== null) hands.onHour(hour);
-    } else if (held.size > 1) {
+    if (held.size > 1) {
       const other = [...held].find(([id]) => id !== event.pointerId)?.[1] as { x: number; y: number };
       const before = Math.hypot(old.x - other.x, old.y - other.y);
       const after = Math.hypot(event.clientX - other.x, event.clientY - other.y);
@@ -72,7 +68,7 @@ export function handle(canvas: HTMLCanvasElement, hands: Handled): () => void {
   };
   const up = (event: PointerEvent) => {
     held.delete(event.pointerId);
-    if (isClick && doing !== "sun") {
+    if (isClick) {
       const met = hands.stage().meet(...relative(event));
       if (met?.kind === "cell") hands.onPick(met.cell);
       hands.onMeet(met, ...inside(event));

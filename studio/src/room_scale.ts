@@ -1,5 +1,7 @@
 // A scale of values: its range, its ticks, and where a value stands in it.
 
+import { ticks as linear } from "./ticks";
+
 export interface Scale {
   low: number;
   high: number;
@@ -32,11 +34,7 @@ export function share(scale: Scale, value: number): number {
 }
 
 export function ticks(scale: Scale, about = 5): number[] {
-  if (!scale.isLog) {
-    const step = stepOf((scale.high - scale.low) / about);
-    const first = Math.ceil(scale.low / step - 1e-9);
-    return Array.from({ length: Math.floor(scale.high / step + 1e-9) - first + 1 }, (_, k) => Number(((first + k) * step).toPrecision(12)));
-  }
+  if (!scale.isLog) return linear(scale.low, scale.high, about);
   const found: number[] = [];
   const decades = Math.log10(scale.high / scale.low);
   for (const steps of [[1, 2, 3, 5], [1, 2, 5], [1, 3], [1]]) {
@@ -49,11 +47,6 @@ export function ticks(scale: Scale, about = 5): number[] {
     if (found.length <= Math.max(about + 2, decades)) break;
   }
   return found;
-}
-
-function stepOf(rough: number): number {
-  const power = 10 ** Math.floor(Math.log10(rough));
-  return (([1, 2, 5].find((one) => one * power >= rough * 0.999) ?? 10) as number) * power;
 }
 
 /** As people write it: three figures, no dust. */

@@ -66,10 +66,8 @@ export function drawSun(sun: SunTold, dome: Dome, look: Look, aim: Vec | null): 
   const dim = sun.is_up ? 1 : 0.3;
   const ball = new Mesh(new SphereGeometry(0.042 * dome.radius, 24, 16), new MeshBasicMaterial({ color: look.sun, transparent: dim < 1, opacity: dim }));
   ball.position.set(...at);
-  ball.userData.isSun = true;
   const halo = new Mesh(new SphereGeometry(0.075 * dome.radius, 24, 16), new MeshBasicMaterial({ color: look.sun, transparent: true, opacity: 0.25 * dim, depthWrite: false }));
   halo.position.copy(ball.position);
-  halo.userData.isSun = true;
   group.add(ball, halo);
   if (sun.is_up) {
     if (aim) group.add(segments([[at, aim]], { colour: look.sun, width: 1.4, opacity: 0.8, dash: [0.02 * dome.radius, 0.015 * dome.radius] }));

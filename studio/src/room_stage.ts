@@ -25,7 +25,7 @@ export interface Staged {
   look: Look;
   words: DomeWords;
 }
-export type Met = { kind: "sun" } | { kind: "cell"; cell: number } | { kind: "window"; window: RoomWindow } | null;
+export type Met = { kind: "cell"; cell: number } | { kind: "window"; window: RoomWindow } | null;
 
 type Part = "room" | "ground" | "paths" | "sun" | "light" | "field";
 
@@ -42,7 +42,11 @@ export class Stage {
   /** How often the picture was drawn, for those who count. */
   drawn = 0;
 
-  constructor(private readonly canvas: HTMLCanvasElement) {
+  /** Told where the sun is in the picture, in pixels, whenever it is drawn. */
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly onSun: (at: [number, number] | null) => void,
+  ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     canvas.addEventListener("webglcontextrestored", () => this.ask());
@@ -131,15 +135,16 @@ export class Stage {
     this.renderer.render(this.scene, camera);
     this.drawn++;
     this.canvas.dataset.drawn = String(this.drawn);
+    const { scene, sun, shown, eye } = this.staged;
+    const at = scene && sun && shown.sunPath && !eye.isFlat ? this.onScreen(sun.direction, domeOf(scene), camera) : null;
+    this.onSun(at && [((at.x + 1) / 2) * this.size[0], ((1 - at.y) / 2) * high]);
   }
 
-  /** What is at a place of the picture, from −1 to 1 across and up: the sun, a cell, a window part. */
+  /** What is at a place of the picture, from −1 to 1 across and up: a cell or a window part. */
   meet(x: number, y: number): Met {
     if (!this.staged) return null;
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(x, y), this.camera());
-    const sun = this.parts.get("sun")?.group;
-    if (sun && ray.intersectObjects(sun.children.filter((one) => one.userData.isSun)).length) return { kind: "sun" };
     const room = this.parts.get("room")?.group.children.flatMap((one) => one.children) ?? [];
     const panes = room.filter((one) => one.userData.window);
     const first = ray.intersectObjects([...panes, ...this.cells], false)[0];

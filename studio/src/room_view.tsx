@@ -64,7 +64,7 @@ export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
   const tell = (met: Met): string => {
     if (met?.kind === "window") return `${met.window.name}: ${met.window.glazing}`;
     if (met?.kind === "cell" && told) return sensorTold(met.cell);
-    return met?.kind === "sun" ? sunWords : "";
+    return "";
   };
   const sensorTold = (sensor: number): string => {
     if (!told || !plane?.points_m[sensor]) return "";
@@ -125,6 +125,9 @@ export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
               onAspect={setAspect}
               onEye={putEye}
               onHour={(hour) => put({ minute: Math.min(1435, Math.max(0, Math.round((60 * hour) / 5) * 5)) })}
+              hour={room.minute / 60}
+              sunLabel={said.dragSun}
+              sunText={`${said.clock(room.minute)}, ${sunWords}`}
               onPick={(cell) => put({ picked: cell === room.picked ? -1 : cell })}
               onKey={(key) => /^[1-5]$/.test(key) && setView(EYES[Number(key) - 1])}
               onReady={(made) => (picture.current = made)}
@@ -154,6 +157,11 @@ export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
         </section>
         <RoomNumbers told={told} unit={unit} light={light.value} isStale={isStale} />
         <RoomProgress work={work} target={room.error} known={faults} />
+        {[...new Set([...(light.value?.notes ?? []), ...(paths.value?.warnings ?? [])])].map((note) => (
+          <p key={note} class="hint note" role="note">
+            {note}
+          </p>
+        ))}
         {sun.value?.is_up && (light.value?.outside.direct_normal_lx ?? 0) > 0 && <Faults faults={asked.sunWork.faults.filter((fault) => !/sunshine|key must/.test(fault.message))} />}
         {scene.value && plane && isMatching && scale && (
           <RoomFigures room={room} scene={scene.value} plane={plane} told={told} scale={scale} unit={unit} light={light.value} isStale={isStale} sensorTold={sensorTold} onChange={put} />

@@ -89,6 +89,7 @@ export const room = {
   noNumbers: "The light is being computed.",
   noWebgl: "This browser shows no 3D (WebGL is off). The plan, the section and the table below show the same numbers.",
   drawing: "The 3D picture is on its way.",
+  dragSun: "Sun: drag it along the day, or use the arrow keys",
   drag: "drag: turn · right or two fingers: move · wheel: closer",
   mean: "mean",
   least: "least",
