@@ -14,7 +14,7 @@ export function DataTable({ summary, table }: { summary: string; table: () => Re
     <details class="asTable" onToggle={(event) => setIsOpen((event.currentTarget as HTMLDetailsElement).open)}>
       <summary>{summary}</summary>
       {isOpen && (
-        <div class="scrolls" tabindex={0} role="group" aria-label={summary}>
+        <div class="tableScroll" tabindex={0} role="group" aria-label={summary}>
           <table>
             <thead>
               <tr>

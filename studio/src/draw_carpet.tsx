@@ -94,7 +94,7 @@ export function DrawCarpet({ carpet, label, months, hourWord, onlyUse, isDark, c
           ))}
           <path class="sunLine" d={sun(carpet.sunrise, number)} />
           <path class="sunLine" d={sun(carpet.sunset, number)} />
-          <rect class="frame" x={LEFT} y={number * block + TOP} width={inner} height={EACH} />
+          <rect class="carpetFrame" x={LEFT} y={number * block + TOP} width={inner} height={EACH} />
           {[0, 6, 12, 18, 24].map((hour) => (
             <text key={hour} class="small faint" x={LEFT - 7} y={y(number, hour)} text-anchor="end" dominant-baseline="central">
               {hour}

@@ -44,7 +44,7 @@ export function DrawDots({ rows, names, label, axis }: { rows: DotRow[]; names: 
               dot.value === null ? null : (
                 <g key={number} transform={`translate(${x(dot.value).toFixed(1)} ${(y + shift(number)).toFixed(1)})`}>
                   {dot.error ? <path stroke={categoryOf(number)} stroke-width={1.6} d={`M${(x(dot.value - dot.error) - x(dot.value)).toFixed(1)} 0H${(x(dot.value + dot.error) - x(dot.value)).toFixed(1)}`} /> : null}
-                  <path class="mark" fill={categoryOf(number)} d={markOf(number)}>
+                  <path class="seriesMark" fill={categoryOf(number)} d={markOf(number)}>
                     <title>{`${names[number]}: ${dot.text} %`}</title>
                   </path>
                 </g>
@@ -57,7 +57,7 @@ export function DrawDots({ rows, names, label, axis }: { rows: DotRow[]; names: 
         const width = (WIDE - 20) / perRow;
         return (
           <g key={name} transform={`translate(${14 + (number % perRow) * width} ${12 + 20 * Math.floor(number / perRow)})`}>
-            <path class="mark" fill={categoryOf(number)} d={markOf(number)} />
+            <path class="seriesMark" fill={categoryOf(number)} d={markOf(number)} />
             <text class="small" x={12} y={0} dominant-baseline="central">
               {fit(name, width - 20, 6.8)}
             </text>
@@ -70,7 +70,7 @@ export function DrawDots({ rows, names, label, axis }: { rows: DotRow[]; names: 
 
 /** A long label in two lines. */
 function inLines(text: string): string[] {
-  if (text.length <= 28) return [text];
-  const cut = text.lastIndexOf(" ", 28);
+  if (text.length <= 25) return [text];
+  const cut = text.lastIndexOf(" ", 25);
   return cut > 0 ? [text.slice(0, cut), text.slice(cut + 1)] : [text];
 }

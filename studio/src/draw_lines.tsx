@@ -78,7 +78,7 @@ export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null,
   return (
     <svg ref={drawing} class={`drawing${onPick ? " picks" : ""}`} style={{ maxWidth: `${width * 1.2}px`, margin: "auto" }} viewBox={`0 0 ${width} ${height}`} role="img" aria-label={label} onClick={onPick ? pick : undefined}>
       {shading?.map(([a, b]) => (
-        <rect key={a} class="shading" x={px(a)} y={top} width={Math.max(px(b) - px(a), 0)} height={height - FOOT - top} />
+        <rect key={a} class="useSpan" x={px(a)} y={top} width={Math.max(px(b) - px(a), 0)} height={height - FOOT - top} />
       ))}
       {(isLog ? logTicks(least, most) : ticks(least, most, 5)).map((tick) => (
         <g key={tick}>
@@ -113,7 +113,7 @@ export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null,
           {few &&
             line.values.map((value, k) =>
               value === null ? null : (
-                <path key={k} class="mark" fill={categoryOf(number)} transform={`translate(${px(x[k]).toFixed(1)} ${py(value).toFixed(1)}) scale(0.7)`} d={markOf(number)}>
+                <path key={k} class="seriesMark" fill={categoryOf(number)} transform={`translate(${px(x[k]).toFixed(1)} ${py(value).toFixed(1)}) scale(0.7)`} d={markOf(number)}>
                   <title>{`${line.label}: ${said(value, unit)} ${unit}`}</title>
                 </path>
               ),
@@ -126,7 +126,7 @@ export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null,
         return (
           <g key={line.label} transform={`translate(${a} ${b})`}>
             <path class="curve" stroke={categoryOf(number)} stroke-dasharray={dashOf(number)} d="M0 0h24" />
-            {few && <path class="mark" fill={categoryOf(number)} transform="translate(12 0) scale(0.7)" d={markOf(number)} />}
+            {few && <path class="seriesMark" fill={categoryOf(number)} transform="translate(12 0) scale(0.7)" d={markOf(number)} />}
             <text class="small" x={31} y={0} dominant-baseline="central">
               {fit(line.label, each - 34, 6.6)}
             </text>

@@ -117,14 +117,14 @@ export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, c
               const fill = colour(share(value));
               return <rect key={cell} x={(a - half[0] - lowX) * scale} y={(highY - b - half[1]) * scale} width={2 * half[0] * scale} height={2 * half[1] * scale} fill={fill} stroke={fill} stroke-width={0.4} />;
             })}
-            {plan.outline.length > 2 && <path class="outline" d={`M${plan.outline.map(([a, b]) => at(a, b)).join("L")}Z`} />}
+            {plan.outline.length > 2 && <path class="planOutline" d={`M${plan.outline.map(([a, b]) => at(a, b)).join("L")}Z`} />}
             {plan.windows.map((one) => (
-              <path key={one.name} class="windowLine" d={`M${one.points.map(([a, b]) => at(a, b)).join("L")}Z`}>
+              <path key={one.name} class="planWindow" d={`M${one.points.map(([a, b]) => at(a, b)).join("L")}Z`}>
                 <title>{`${windowWord}: ${one.name}`}</title>
               </path>
             ))}
-            {line && <path class="contourBack" d={line} />}
-            {line && <path class="contour" d={line} />}
+            {line && <path class="planContourBack" d={line} />}
+            {line && <path class="planContour" d={line} />}
             {numbers &&
               variant.values.map((value, cell) =>
                 value === null ? null : (
@@ -163,8 +163,8 @@ export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, c
         ))}
         {plan.level !== null && plan.level > plan.low && plan.level < plan.high && (
           <g>
-            <path class="contourBack" d={`M-3 ${barHigh * (1 - share(plan.level))}h20`} />
-            <path class="contour" d={`M-3 ${barHigh * (1 - share(plan.level))}h20`} />
+            <path class="planContourBack" d={`M-3 ${barHigh * (1 - share(plan.level))}h20`} />
+            <path class="planContour" d={`M-3 ${barHigh * (1 - share(plan.level))}h20`} />
           </g>
         )}
         <text class="small faint" x={0} y={-12}>

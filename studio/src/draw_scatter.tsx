@@ -106,7 +106,7 @@ export function DrawScatter({ series, words, label, xLabel, yLabel, front = [], 
             <g key={mark.row} transform={`translate(${px(mark.x).toFixed(1)} ${py(mark.y).toFixed(1)})`} onMouseEnter={() => onMove(mark.row)}>
               {mark.error ? <path stroke={categoryOf(number)} stroke-width={1.3} d={`M0 ${(py(mark.y - mark.error) - py(mark.y)).toFixed(1)}V${(py(mark.y + mark.error) - py(mark.y)).toFixed(1)}`} /> : null}
               <circle r={11} fill="transparent" />
-              <path class={`mark${front.length > 1 && !front.includes(mark.row) ? " beaten" : ""}`} data-row={mark.row} fill={categoryOf(number)} d={markOf(number)} />
+              <path class={`seriesMark${front.length > 1 && !front.includes(mark.row) ? " beaten" : ""}`} data-row={mark.row} fill={categoryOf(number)} d={markOf(number)} />
             </g>
           ))}
         </g>
@@ -119,7 +119,7 @@ export function DrawScatter({ series, words, label, xLabel, yLabel, front = [], 
           const isSeries = number < series.length;
           return (
             <g key={name} transform={`translate(${LEFT + (number % perRow) * width + 6} ${12 + 20 * Math.floor(number / perRow)})`}>
-              {isSeries ? <path class="mark" fill={categoryOf(number)} d={markOf(number)} /> : name === frontWord ? <path class="frontLine" d="M-6 0h14" /> : <circle class="bestRing" r={6} />}
+              {isSeries ? <path class="seriesMark" fill={categoryOf(number)} d={markOf(number)} /> : name === frontWord ? <path class="frontLine" d="M-6 0h14" /> : <circle class="bestRing" r={6} />}
               <text class="small" x={14} y={0} dominant-baseline="central">
                 {fit(name, width - 22, 6.6)}
               </text>

@@ -51,7 +51,7 @@ export function YearCases({ told, look }: { told: ResultTold; look: State["year"
   const option = (one: Column): [string, string] => [one.name, withUnit(one)];
   return (
     <>
-      <section class="figure choices" aria-label={words.show}>
+      <section class="figure lookBar" aria-label={words.show}>
         <ChoiceInput id="casesX" label={words.xAxis} value={x.name} options={cases.columns.filter((one) => one.role !== "note" || one.is_number).map(option)} onChange={(to) => change("year", { x: to })} />
         <ChoiceInput id="casesY" label={words.yAxis} value={chosen ? chosen.name : ys.length > 1 ? "" : (ys[0]?.name ?? "")} options={[...(ys.length > 1 || cases.start.y.length > 1 ? ([["", cases.start.y.map((name) => named(name)?.label).join(", ")]] as [string, string][]) : []), ...numbers.map(option)]} onChange={(to) => change("year", { y: to })} />
         <ChoiceInput id="casesBy" label={words.byAxis} value={by && ys.length === 1 ? by.name : "-"} options={[["-", words.noSeries], ...cases.columns.filter((one) => one.role === "parameter" || one.name === "stage").map(option)]} onChange={(to) => change("year", { by: to })} />
@@ -86,7 +86,7 @@ export function YearCases({ told, look }: { told: ResultTold; look: State["year"
         </p>
       </Figure>
       <Figure name="table" title={words.casesTitle[told.kind] ?? words.table} table={csvTable} noPicture>
-        <div class="scrolls tall" tabindex={0} role="group" aria-label={words.table}>
+        <div class="tableScroll tall" tabindex={0} role="group" aria-label={words.table}>
           <table>
             <thead>
               <tr>

@@ -20,7 +20,7 @@ export function YearFigures({ told, shown, explains }: { told: ResultTold; shown
   return (
     <div class={dots.length ? "grid figuresGrid" : ""}>
       <Figure name="figures" title={words.figures} hint={names.length > 1 ? words.figuresHint : undefined} table={table} noPicture>
-        <div class="scrolls" tabindex={0} role="group" aria-label={words.figures}>
+        <div class="tableScroll" tabindex={0} role="group" aria-label={words.figures}>
           <table class="figures">
             <thead>
               <tr>

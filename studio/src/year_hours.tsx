@@ -67,7 +67,7 @@ export function YearHours({ told, shown, look, isDark }: Props) {
     );
   return (
     <>
-      <section class="figure choices" aria-label={words.hours}>
+      <section class="figure lookBar" aria-label={words.hours}>
         <ChoiceInput id="series" label={words.series} value={series} options={options} onChange={(to) => change("year", { series: to })} />
         <label class="check">
           <input type="checkbox" checked={look.onlyUse} onChange={(event) => change("year", { onlyUse: event.currentTarget.checked })} />
@@ -110,7 +110,7 @@ export function YearHours({ told, shown, look, isDark }: Props) {
           </Figure>
         )}
         <Faults faults={hour.faults} />
-        <div class="stack">
+        <div class="chartStack">
           {carpet && picked && (
             <Figure name="day" title={words.oneDay(daySaid(carpet.days[picked[0]]))} hint={about[0].toUpperCase() + about.slice(1)} table={dayTable}>
               <DrawLines

@@ -33,7 +33,7 @@ export function YearPlans({ told, shown, look }: { told: ResultTold; shown: numb
   const other = told.variants.find((one) => one !== told.variants[0]) ?? "";
   return (
     <>
-      <section class="figure choices" aria-label={words.show}>
+      <section class="figure lookBar" aria-label={words.show}>
         <ChoiceInput id="metric" label={words.metric} value={metric} options={told.metrics.map((one) => [one.key, one.label])} onChange={(to) => change("year", { metric: to })} />
         {grids.length > 1 && <ChoiceInput id="plane" label={words.plane} value={plane} options={grids.map((one) => [one.name, `${one.name} (${one.count})`])} onChange={(to) => change("year", { plane: to })} />}
         {told.variants.length > 1 && (

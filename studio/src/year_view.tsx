@@ -102,7 +102,7 @@ export function YearView({ state, isDark }: { state: State; isDark: boolean }) {
       </aside>
       <div class="main" aria-busy={opening !== ""}>
         {!told && (
-          <div class="empty">
+          <div class="noResult">
             <p class="big">{opening ? `${opening} ${words.opening}` : words.nothingOpen}</p>
             {!opening && <p class="hint">{words.nothingHint}</p>}
           </div>

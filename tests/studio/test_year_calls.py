@@ -314,7 +314,7 @@ def test_a_year_file_must_lie_in_the_folder_with_all_that_it_names(client: TestC
 def test_a_year_is_run_cancelled_and_goes_on_from_its_pieces(client: TestClient, result_folder: Path) -> None:
     text = (result_folder / "year.toml").read_text()
     (result_folder / "again.toml").write_text(
-        text.replace("nodes = 256", "nodes = 1024").replace("seed = 3", "seed = 4")
+        text.replace("nodes = 256", "nodes = 512").replace("seed = 3", "seed = 4")
     )
     pieces = result_folder / "out/again/pieces"
     job = client.post("/api/jobs", json={"kind": "year", "path": "again.toml"}).json()["job"]
