@@ -12,7 +12,7 @@ from clerestory.glazing import Glass, Open
 from clerestory.illuminance import sun_illuminance
 from clerestory.medium import Medium
 from clerestory.panels import LaserCutPanel
-from clerestory.room import Material, Opening, Part, Room, SensorGrid, Sensors
+from clerestory.room import Interface, Material, Opening, Part, Room, SensorGrid, Sensors
 from clerestory.sun_coefficients import SunWarning, sun_coefficients
 
 PANEL = LaserCutPanel(spacing_mm=4.0, thickness_mm=6.0, medium=Medium(n=1.49))
@@ -105,13 +105,17 @@ def test_night_is_an_error(values, message):
         sun_coefficients(room(Open()), Sensors(points_m=[[2, 3, 1]]), **values)
 
 
-def test_a_mirror_that_could_turn_the_sun_is_told_of():
-    """What is not looked for is not left out in silence."""
+def test_a_boundary_that_could_turn_the_sun_is_told_of():
+    """What is not looked for is not left out in silence; mirrors are looked for."""
     plain = room(Glass(transmittance=0.88))
+    corners = [[1.0, 1.0, 1.0], [2.0, 1.0, 1.0], [1.0, 2.0, 1.0], [1.0, 1.0, 2.0]]
+    prism = Interface(
+        name="prism", vertices_m=corners, triangles=[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], back_index=1.5
+    )
     shiny = Material(diffuse_reflectance=0.1, specular_reflectance=0.8)
     mirrored = replace(plain, surfaces=(*plain.surfaces[:-1], replace(plain.surfaces[-1], material=shiny)))
-    with pytest.warns(SunWarning, match=f"mirror '{plain.surfaces[-1].name}' is not looked for"):
-        sun_coefficients(mirrored, altitude_deg=40.0, azimuth_deg=180.0, rounds=2)
+    with pytest.warns(SunWarning, match="interface 'prism' is not looked for"):
+        sun_coefficients(replace(plain, interfaces=(prism,)), altitude_deg=40.0, azimuth_deg=180.0, rounds=2)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        sun_coefficients(plain, altitude_deg=40.0, azimuth_deg=180.0, rounds=2)
+        sun_coefficients(mirrored, altitude_deg=40.0, azimuth_deg=180.0, rounds=2)

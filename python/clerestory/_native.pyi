@@ -269,6 +269,7 @@ class Scene:
     def closest(
         self, origins: NDArray[float64], directions: NDArray[float64]
     ) -> tuple[NDArray[float64], NDArray[int64]]: ...
+    def unfollowed_mirrors(self) -> list[tuple[str, int, int]]: ...
 
 def daylight_coefficients(
     scene: Scene,

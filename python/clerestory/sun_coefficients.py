@@ -50,7 +50,8 @@ def sun_coefficients(
     Returns
     -------
     Dataset, dims ("sensor", "sun") [1]
-        `direct`, `redirected` and `interreflected`, each with `…_standard_error`.
+        `direct`, `redirected` and `interreflected`, each with `…_standard_error`. With dims ("sun",): `cut_off`, the
+        summed strength, in the same measure, of the beams that were not followed to another turn (see Notes).
 
     Raises
     ------
@@ -61,7 +62,8 @@ def sun_coefficients(
     Warns
     -----
     SunWarning
-        If the room has mirrors or boundaries between media: the sun by way of them is not looked for.
+        If the room has boundaries between media, or mirrors of too many facets: the sun by way of them is not looked
+        for.
 
     Notes
     -----
@@ -69,10 +71,15 @@ def sun_coefficients(
     0.533°: no patches, no blur. A beam of share p that leaves at cos θ_k when the sun comes in at cos θ_i has
     :math:`p \cos\theta_i / \cos\theta_k` of the sun's normal illuminance (theory/illuminance.md, eq. 6).
 
+    Beams are followed from mirror to window to mirror, in any order, off the inner and the outer faces of windows, and
+    through windows in a row (theory/mirrored_sun.md, eqs. 1 and 2): the sensor looks back along every direction that results,
+    so what a flat mirror throws has a hard edge and no noise. A beam of less than 1e-4 of the sun is not followed to
+    another turn, nor are more than 1024 directions of one sun, the strongest first. Mirrors together may have 256
+    directions of their normals and 1024 facets, the flattest being followed first. Whatever light mirrors throw counts
+    as `direct`, unless a window totally reflects it on the way.
+
     What a window spreads, as a `Bsdf` does, counts as `direct`: its points glow under the sun and are looked at
-    (theory/room.md, eq. 14). Beams pass clear windows before and behind the one that turns them. Suns seen by way of a
-    mirror or of the inner face of a window, and through two windows in a row that both turn light, are not looked for;
-    a `Stack` in one window has no such limit.
+    (theory/room.md, eq. 14).
     """
     altitude, azimuth = np.broadcast_arrays(np.atleast_1d(altitude_deg), np.atleast_1d(azimuth_deg))
     if altitude.ndim != 1 or len(altitude) == 0:
@@ -89,7 +96,7 @@ def sun_coefficients(
         warnings.warn(
             f"the sun by way of {unseen[0]} is not looked for and is missing from the result"
             + (f" (so it is for {len(unseen) - 1} more)" if len(unseen) > 1 else "")
-            + ": give mirrors a diffuse reflectance, or put what bends light into a window as a panel",
+            + ": draw curved mirrors with fewer facets, or put what bends light into a window as a panel",
             SunWarning,
             stacklevel=2,
         )
@@ -105,11 +112,12 @@ def sun_coefficients(
         threads=threads,
         progress=progress,
     )
-    variables = {
+    variables: dict[str, Any] = {
         name: (("sensor", "sun"), traced[name], {"units": "1", "long_name": f"sun, {name.replace('_', ' ')}"})
         for part in PARTS
         for name in (part, f"{part}_standard_error")
     }
+    variables["cut_off"] = ("sun", traced["cut_off"], {"units": "1", "long_name": "beams not followed to another turn"})
     return xr.Dataset(
         variables,
         coords={
@@ -130,6 +138,8 @@ def sun_coefficients(
 
 def _unseen(room: Room) -> list[str]:
     """What could turn the sun's light towards a sensor but is not followed."""
-    materials = [(one.name, one.material) for one in room.surfaces] + [(one.name, one.material) for one in room.meshes]
-    mirrors = [f"mirror {name!r}" for name, material in materials if material.specular_reflectance > 0.0]
-    return mirrors + [f"interface {one.name!r}" for one in room.interfaces]
+    curved = [
+        f"mirror {name!r}, of {facets} facets and {normals if normals <= 256 else 'over 256'} directions,"
+        for name, normals, facets in room.scene.unfollowed_mirrors()
+    ]
+    return curved + [f"interface {one.name!r}" for one in room.interfaces]

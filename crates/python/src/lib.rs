@@ -1,4 +1,4 @@
-//! The native half of the Python package: conversions, no physics. One file a crate, added to the module here.
+//! The native half of the Python package: conversions, no physics. One or two files a crate, added to the module here.
 
 #![warn(clippy::unwrap_used, clippy::expect_used)]
 
@@ -9,6 +9,7 @@ mod glazing;
 mod optics;
 mod panel;
 mod room;
+mod scene;
 mod sky;
 mod stack;
 
@@ -24,6 +25,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     bsdf::register(module)?;
     stack::register(module)?;
     sky::register(module)?;
+    scene::register(module)?;
     room::register(module)?;
     Ok(())
 }

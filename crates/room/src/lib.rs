@@ -21,3 +21,4 @@ pub use transport::coefficients::{DaylightCoefficients, daylight_coefficients};
 pub use transport::rounds::Component;
 pub use transport::settings::{Progress, Settings};
 pub use transport::sun::{SunCoefficients, sun_coefficients};
+pub use transport::turners::{Unfollowed, unfollowed_mirrors};

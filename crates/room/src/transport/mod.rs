@@ -4,6 +4,7 @@
 //! on surfaces, [`nodes`], are shared by all sensors; [`gather`] joins the two into the coefficients of one round, and
 //! [`rounds`] runs independent ones until they are good enough.
 
+mod beams;
 pub mod centre;
 pub mod coefficients;
 mod density;
@@ -18,13 +19,16 @@ mod pilot;
 mod plan;
 mod portals;
 pub mod rounds;
+mod seen;
 mod sensors;
 pub mod settings;
+mod shade;
 mod sky;
 mod spread;
 pub mod sun;
 mod suns;
 mod through;
+pub mod turners;
 mod walk;
 
 /// Which way light took from the sky to the sensor.

@@ -4,10 +4,10 @@ use super::Entry;
 use super::look_out::Sight;
 use super::path::{Path, Techniques, Vertex};
 use super::portals::Drawn;
-use super::suns::{Suns, let_through};
+use super::seen::Wanted;
+use super::suns::Suns;
 use super::walk::Walker;
 use crate::surface::Kind;
-use crate::tracer::Ray;
 use hemisphere::{Direction, Vec3};
 
 /// A point of a window, looked at.
@@ -67,14 +67,16 @@ impl Suns {
             return;
         }
         let outgoing = Direction::from_unit(frame.inward(-looked.direction));
-        let part = walker.part(looked.bounces, looked.redirected);
-        for (sun, towards) in self.directions(path.numbers.rng.uniform()) {
-            let incident = Direction::from_unit(frame.inward(-towards));
-            let value = beta * incident.z.abs() * glazing.bsdf(incident, outgoing);
-            let ray = Ray { origin: looked.point, direction: towards, leaving: looked.facet };
-            if towards.z > 0.0 && value > 0.0 {
-                let value = value * let_through(walker.scene, ray, None);
-                path.out.entries.push(Entry { patch: sun, part, value });
+        let cos_bsdf = |direction: Vec3| {
+            let incident = Direction::from_unit(frame.inward(direction));
+            incident.z.abs() * glazing.bsdf(incident, outgoing)
+        };
+        let place = walker.scene.tracer.place_on(looked.facet, looked.point);
+        let wanted = Wanted { place: &place, facet: looked.facet };
+        for (sun, shares) in self.shares_at(walker.scene, &wanted, path.numbers.rng.uniform(), cos_bsdf) {
+            for (redirected, value) in [false, true].into_iter().zip(shares).filter(|(_, value)| *value > 0.0) {
+                let part = walker.part(looked.bounces, looked.redirected || redirected);
+                path.out.entries.push(Entry { patch: sun, part, value: beta * value });
             }
         }
     }

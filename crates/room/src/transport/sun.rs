@@ -5,9 +5,11 @@ use super::rounds::{Component, run};
 use super::sensors::Sensors;
 use super::settings::{Progress, Settings};
 use super::suns::Suns;
+use super::turners::Turners;
 use crate::RoomError;
 use crate::scene::Scene;
 use hemisphere::{Direction, Vec3};
+use std::cell::RefCell;
 use std::time::Instant;
 
 /// Illuminance of every sensor by every sun, over the sun's normal illuminance.
@@ -25,6 +27,8 @@ pub struct SunCoefficients {
     pub interreflected: Component,
     /// Light after more reflections than allowed; `None` without a limit.
     pub lost: Option<Vec<f64>>,
+    /// For each sun, the summed strength, over its normal illuminance, of the beams that were too weak or too many to be followed on.
+    pub cut_off: Vec<f64>,
     /// Rounds done.
     pub rounds: usize,
     /// Whether it was stopped before its end.
@@ -35,8 +39,10 @@ pub struct SunCoefficients {
 
 /// The sun's light on sensors in a scene, for each direction `towards` it; every round draws `disc_samples` points of its disc.
 ///
-/// Suns that reach a sensor by way of mirrors, inner reflections of a window, or several windows in a row that turn light are
-/// not looked for.
+/// Beams are followed by way of mirrors and windows, in any order, as far as `cut_off` and [`unfollowed_mirrors`] tell; not through
+/// boundaries between media.
+///
+/// [`unfollowed_mirrors`]: crate::unfollowed_mirrors
 pub fn sun_coefficients(
     scene: &Scene,
     points: &[Vec3],
@@ -74,7 +80,13 @@ pub fn sun_coefficients(
     }
     let sensors = Sensors::new(scene, points, normals)?;
     let weights = vec![1.0; directions.len()];
-    let light = |seed| Suns::new(scene, &directions, disc_samples, seed).map(Light::Suns);
+    let turners = Turners::new(scene, &sensors);
+    let cut_off = RefCell::new(vec![0.0; directions.len()]);
+    let light = |seed| {
+        let suns = Suns::new(scene, &turners, &directions, disc_samples, seed)?;
+        cut_off.borrow_mut().iter_mut().zip(&suns.cut_off).for_each(|(most, cut)| *most = f64::max(*most, *cut));
+        Ok(Light::Suns(suns))
+    };
     let found = run(scene, &sensors, settings, &weights, light, go_on)?;
     Ok(SunCoefficients {
         sensors: sensors.len(),
@@ -83,6 +95,7 @@ pub fn sun_coefficients(
         redirected: found.redirected,
         interreflected: found.interreflected,
         lost: found.lost,
+        cut_off: cut_off.into_inner(),
         rounds: found.rounds,
         interrupted: found.interrupted,
         seconds: started.elapsed().as_secs_f64(),

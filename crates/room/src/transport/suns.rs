@@ -2,14 +2,15 @@
 //! (theory/room.md, eqs. 12 and 13).
 
 use super::Entry;
+use super::beams::{Beam, Beams};
 use super::path::{Path, Vertex};
+use super::seen::{Shares, Sunlight, Wanted};
+use super::turners::Turners;
 use super::walk::Walker;
 use crate::RoomError;
 use crate::scene::Scene;
-use crate::surface::Kind;
 use crate::tracer::Ray;
 use hemisphere::{Direction, Frame, Rng, Sobol, Vec3};
-use optics::Lobes;
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
@@ -17,44 +18,39 @@ use std::ops::Range;
 /// Angular diameter of the sun \[rad\]: 0.533°.
 const DIAMETER: f64 = 0.533 * PI / 180.0;
 
-/// The most of a window's light that may have no definite direction.
-const RESIDUAL: f64 = 1e-3;
-
 /// Suns, each as a few points of its disc, with the beams these send in by every window.
 pub struct Suns {
     /// Points of the disc of each sun.
     per_sun: usize,
     /// Sun by sun, point by point.
     points: Vec<Point>,
+    /// Of all points, one after another.
+    ways: Vec<Vec3>,
     beams: Vec<Beam>,
+    /// Summed strength of the beams of each sun that were not followed on: the most of its points.
+    pub cut_off: Vec<f64>,
 }
 
 /// A point of the sun's disc.
 struct Point {
     /// Towards it.
     towards: Vec3,
-    /// Its beams indoors.
+    ways: Range<u32>,
+    /// Its beams; so many of the first may light something.
     beams: Range<u32>,
-}
-
-/// One beam behind one window.
-struct Beam {
-    facet: u32,
-    /// Where it travels.
-    direction: Vec3,
-    /// How far it has come for each metre off the window's plane.
-    way_per_height: f64,
-    /// Illuminance across it over the sun's normal illuminance: p cos θ_i / cos θ_k.
-    strength: f64,
-    redirected: bool,
-    /// Whether the window turns no light.
-    straight: bool,
+    lighting: u32,
 }
 
 impl Suns {
     /// Draws `per_sun` points of each sun's disc and finds their beams.
-    pub fn new(scene: &Scene, towards: &[Direction], per_sun: usize, seed: u64) -> Result<Self, RoomError> {
-        let found: Vec<Vec<(Vec3, Vec<Beam>)>> = towards
+    pub fn new(
+        scene: &Scene,
+        turners: &Turners,
+        towards: &[Direction],
+        per_sun: usize,
+        seed: u64,
+    ) -> Result<Self, RoomError> {
+        let found: Vec<Vec<(Vec3, Beams)>> = towards
             .par_iter()
             .enumerate()
             .map(|(sun, &towards)| {
@@ -66,29 +62,66 @@ impl Suns {
                         let (r, angle) = (u.sqrt() * (0.5 * DIAMETER).sin(), TAU * v);
                         let local = Vec3::new(r * angle.cos(), r * angle.sin(), (1.0 - r * r).sqrt());
                         let point = frame.outward(local);
-                        beams_of(scene, point).map(|beams| (point, beams))
+                        Beams::of(scene, turners, point).map(|beams| (point, beams))
                     })
                     .collect()
             })
             .collect::<Result<_, _>>()?;
-        let mut suns = Self { per_sun, points: Vec::new(), beams: Vec::new() };
-        for (towards, beams) in found.into_iter().flatten() {
-            let start = suns.beams.len() as u32;
-            suns.beams.extend(beams);
-            suns.points.push(Point { towards, beams: start..suns.beams.len() as u32 });
+        let mut suns = Self { per_sun, points: Vec::new(), ways: Vec::new(), beams: Vec::new(), cut_off: Vec::new() };
+        for of_sun in found {
+            suns.cut_off.push(of_sun.iter().map(|(_, beams)| beams.cut_off).fold(0.0, f64::max));
+            for (towards, Beams { ways, beams, lighting, .. }) in of_sun {
+                let (first_way, first_beam) = (suns.ways.len() as u32, suns.beams.len() as u32);
+                suns.ways.extend(ways);
+                suns.beams.extend(beams);
+                suns.points.push(Point {
+                    towards,
+                    ways: first_way..suns.ways.len() as u32,
+                    beams: first_beam..suns.beams.len() as u32,
+                    lighting: lighting as u32,
+                });
+            }
         }
         Ok(suns)
     }
 
-    /// Every sun's number and one point of its disc, the same of all, which `u` picks.
-    pub fn directions(&self, u: f64) -> impl Iterator<Item = (u32, Vec3)> + '_ {
+    /// The beams of a point of the sun, and how many of the first may light something.
+    fn sunlight<'a>(&'a self, scene: &'a Scene, point: &Point) -> (Sunlight<'a>, &'a [Beam]) {
+        let range = |range: &Range<u32>| range.start as usize..range.end as usize;
+        let beams = &self.beams[range(&point.beams)];
+        (Sunlight { scene, ways: &self.ways[range(&point.ways)], beams }, &beams[..point.lighting as usize])
+    }
+
+    /// The sun's light on a place, for every sun up: its number and the sum over the directions that it comes from, each times
+    /// `weight`. `u` picks the point of the disc, the same of all.
+    pub fn shares_at(
+        &self,
+        scene: &Scene,
+        wanted: &Wanted<'_>,
+        u: f64,
+        weight: impl Fn(Vec3) -> f64,
+    ) -> impl Iterator<Item = (u32, Shares)> {
         let chosen = (u * self.per_sun as f64) as usize;
-        (0_u32..).zip(self.points.chunks_exact(self.per_sun)).map(move |(sun, points)| (sun, points[chosen].towards))
+        let points = (0_u32..).zip(self.points.chunks_exact(self.per_sun).map(move |points| &points[chosen]));
+        points.filter(|(_, point)| point.towards.z > 0.0).map(move |(sun, point)| {
+            let mut seen = [0.0; 2];
+            let straight = weight(-point.towards);
+            if straight > 0.0 {
+                let ray = Ray { origin: wanted.place.position, direction: point.towards, leaving: wanted.facet };
+                seen[0] += straight * scene.let_through(ray, None);
+            }
+            let (sunlight, lighting) = self.sunlight(scene, point);
+            for beam in lighting.iter().filter(|beam| !beam.passes) {
+                sunlight.seen_from(beam, wanted, &weight, &mut seen);
+            }
+            (sun, seen)
+        })
     }
 
     /// The sun's light on a vertex, for every sun. A sensor takes all points of the disc, a reflection one, by chance.
     pub fn shine_on(&self, walker: &Walker<'_>, vertex: &Vertex, beta: f64, bounces: u32, path: &mut Path<'_>) {
         let chosen = (path.numbers.rng.uniform() * self.per_sun as f64) as usize;
+        let wanted = Wanted { place: &vertex.place, facet: vertex.facet };
         // what hid one sun mostly hides the next
         let mut hiding = None;
         for (sun, points) in self.points.chunks_exact(self.per_sun).enumerate() {
@@ -106,8 +139,10 @@ impl Suns {
                         seen[0] += cos;
                     }
                 }
-                for beam in &self.beams[point.beams.start as usize..point.beams.end as usize] {
-                    seen[usize::from(beam.redirected)] += beam.seen_from(walker.scene, vertex, point.towards);
+                let (sunlight, lighting) = self.sunlight(walker.scene, point);
+                let cosine = |direction: Vec3| -direction.dot(vertex.normal);
+                for beam in lighting {
+                    sunlight.seen_from(beam, &wanted, cosine, &mut seen);
                 }
             }
             for (redirected, value) in [false, true].into_iter().zip(seen).filter(|(_, value)| *value > 0.0) {
@@ -116,82 +151,4 @@ impl Suns {
             }
         }
     }
-}
-
-impl Beam {
-    /// Illuminance it gives a vertex, over the sun's normal illuminance: looked back along through the window and on to the sun.
-    #[inline]
-    fn seen_from(&self, scene: &Scene, vertex: &Vertex, towards: Vec3) -> f64 {
-        let cos = -self.direction.dot(vertex.normal);
-        if cos <= 0.0 {
-            return 0.0;
-        }
-        let shape = scene.facet(self.facet);
-        let from = vertex.place.position;
-        let back = shape.height(from) * self.way_per_height;
-        let point = from - back * self.direction;
-        if back <= 0.0 || !shape.holds(point) {
-            return 0.0;
-        }
-        let outside = Ray { origin: point, direction: towards, leaving: self.facet };
-        // light turned by one window may pass clear ones on either side; between clear ones the innermost speaks for all
-        let inside = if scene.tracer.visible(&vertex.place, &scene.tracer.place_on(self.facet, point)) {
-            1.0
-        } else if self.straight {
-            0.0
-        } else {
-            let looked = Ray { origin: from, direction: -self.direction, leaving: vertex.facet };
-            let_through(scene, looked, Some(self.facet))
-        };
-        if inside > 0.0 { cos * self.strength * inside * let_through(scene, outside, None) } else { 0.0 }
-    }
-}
-
-/// The share of light that clear windows let through along a ray, up to a facet or to the sky; 0 if anything else is met.
-pub fn let_through(scene: &Scene, mut ray: Ray, up_to: Option<u32>) -> f64 {
-    let mut share = 1.0;
-    while let Some(hit) = scene.tracer.closest(&ray) {
-        if up_to == Some(hit.facet) {
-            return share;
-        }
-        let Kind::Window { glazing, frame } = &scene.surface_of(hit.facet).kind else { return 0.0 };
-        let Some(straight) = glazing.straight(Direction::from_unit(frame.inward(ray.direction))) else { return 0.0 };
-        share *= straight.transmittance;
-        ray = Ray { origin: ray.origin + hit.distance * ray.direction, leaving: hit.facet, ..ray };
-        if share == 0.0 {
-            return 0.0;
-        }
-    }
-    if up_to.is_none() { share } else { 0.0 }
-}
-
-/// The beams that light from one direction sends in by every window, from its front to its back.
-fn beams_of(scene: &Scene, towards: Vec3) -> Result<Vec<Beam>, RoomError> {
-    let (mut beams, mut lobes) = (Vec::new(), Lobes::default());
-    // a sun that has set sends none
-    if towards.z <= 0.0 {
-        return Ok(beams);
-    }
-    for surface in &scene.surfaces {
-        let Kind::Window { glazing, frame } = &surface.kind else { continue };
-        let incident = frame.inward(-towards);
-        if incident.z <= 0.0 {
-            continue;
-        }
-        let incident = Direction::from_unit(incident);
-        glazing.lobes(incident, &mut lobes);
-        let straight = glazing.straight(incident).is_some();
-        if lobes.residual > RESIDUAL {
-            return Err(RoomError::NoLobes { name: surface.name.clone(), residual: lobes.residual });
-        }
-        beams.extend(lobes.beams.iter().filter(|lobe| lobe.direction.z > 0.0 && lobe.power > 0.0).map(|lobe| Beam {
-            facet: surface.facets.start,
-            direction: frame.outward(*lobe.direction),
-            way_per_height: 1.0 / lobe.direction.z,
-            strength: lobe.power * incident.z / lobe.direction.z,
-            redirected: lobe.total_reflections > 0,
-            straight,
-        }));
-    }
-    Ok(beams)
 }
