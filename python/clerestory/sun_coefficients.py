@@ -72,11 +72,11 @@ def sun_coefficients(
     :math:`p \cos\theta_i / \cos\theta_k` of the sun's normal illuminance (theory/illuminance.md, eq. 6).
 
     Beams are followed from mirror to window to mirror, in any order, off the inner and the outer faces of windows, and
-    through windows in a row (theory/mirrored_sun.md, eqs. 1 and 2): the sensor looks back along every direction that results,
-    so what a flat mirror throws has a hard edge and no noise. A beam of less than 1e-4 of the sun is not followed to
-    another turn, nor are more than 1024 directions of one sun, the strongest first. Mirrors together may have 256
-    directions of their normals and 1024 facets, the flattest being followed first. Whatever light mirrors throw counts
-    as `direct`, unless a window totally reflects it on the way.
+    through windows in a row (theory/mirrored_sun.md, eqs. 1 and 2): the sensor looks back along every direction that
+    results, so what a flat mirror throws has a hard edge and no noise. A beam of less than 1e-4 of the sun is not
+    followed to another turn, nor are more than 1024 directions of one sun, the strongest first. Mirrors together may
+    have 256 directions of their normals and 1024 facets, the flattest being followed first. Whatever light mirrors
+    throw counts as `direct`, unless a window totally reflects it on the way.
 
     What a window spreads, as a `Bsdf` does, counts as `direct`: its points glow under the sun and are looked at
     (theory/room.md, eq. 14).
