@@ -26,6 +26,7 @@ from clerestory.room import (
     Sensors,
     Surface,
     Window,
+    beams,
 )
 from clerestory.sun import direction_of
 from clerestory.sun_coefficients import SunWarning, sun_coefficients
@@ -331,6 +332,31 @@ def test_a_window_that_is_not_convex():
     assert float(found["patch_area_m2"].sum()) == pytest.approx(2.5)
     points = np.array([[1.5, 2.25, 0.0], [2.5, 2.25, 0.0], [2.5, 1.5, 0.0]])
     assert lit(found, "floor", points).tolist() == [True, False, True]
+
+
+@pytest.mark.parametrize("name", ["panel", "furnished"])
+def test_cells_say_what_polygons_say(name, monkeypatch):
+    """Where there is too much for polygons a grid of rays gives the same light to within a cell."""
+    exact = sun_paths(ROOMS[name], altitude_deg=47.0, azimuth_deg=190.0)
+    monkeypatch.setattr(beams, "_MOST_SHADES", 0)
+    cells = sun_paths(ROOMS[name], altitude_deg=47.0, azimuth_deg=190.0)
+    for surface in np.unique(exact["patch_surface"].values):
+        flux = [
+            float((one["patch_area_m2"] * one["patch_strength"]).values[one["patch_surface"].values == surface].sum())
+            for one in (exact, cells)
+        ]
+        assert flux[0] == pytest.approx(flux[1], abs=0.03)
+    totals = [float((one["patch_area_m2"] * one["patch_strength"]).sum()) for one in (exact, cells)]
+    assert totals[0] == pytest.approx(totals[1], rel=1e-6)
+
+
+def test_thousands_of_slats_are_looked_at_cell_by_cell():
+    slats = Louvres(bottom_m=1.5, top_m=2.5, count=1000, depth_m=0.0005)
+    found = sun_paths(room(Open(), obstructions=[slats]), altitude_deg=45.0, azimuth_deg=180.0)
+    # slats of half their spacing, seen at 45°, hide half
+    assert float(found["sunlit_share"][0]) == pytest.approx(0.5, abs=0.1)
+    assert found.sizes["path"] > 0
+    assert found["blocked_by"].values[0].startswith("louvres")
 
 
 @pytest.mark.parametrize(

@@ -40,10 +40,18 @@ def glazing_tables(tables: Table, folder: Path) -> Callable[[Any], Glazing]:
         Where files that the tables name are looked for.
     """
 
+    begun: list[str] = []
+
     @cache
     def named(name: str) -> Glazing:
         one_of(f"glazing of {tables.where}", name, tables.values)
-        return read_glazing(Table(tables.values[name], f"[{name}] in {tables.where}"), named, folder)
+        if name in begun:
+            raise ClerestoryError(f"layers of [{name}] in {tables.where} must not hold {name!r} itself")
+        begun.append(name)
+        try:
+            return read_glazing(Table(tables.values[name], f"[{name}] in {tables.where}"), named, folder)
+        finally:
+            begun.remove(name)
 
     def looked_up(name: Any) -> Glazing:
         if not isinstance(name, str):
@@ -90,6 +98,9 @@ def read_glazing(table: Table, named: Callable[[Any], Glazing], folder: Path) ->
             raise ClerestoryError(
                 f"layers of {table.where} must list names of glazings, and gaps as tables, got {layers!r}"
             )
+        for layer in layers:
+            if not isinstance(layer, (dict, str)):
+                raise ClerestoryError(f"layers of {table.where} must be names of glazings, got {layer!r}")
         return Stack(tuple(_gap(layer, table.where) if isinstance(layer, dict) else named(layer) for layer in layers))
     made: Glazing = build(kind, table)
     return made

@@ -8,11 +8,14 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from clerestory.room.convex import Polygon, anticlockwise, area, shared
-from clerestory.room.sunlit import Facets, Plane, Shade, facets_of, landed, shades_of, unhidden, visible
+from clerestory.room.sunlit import Facets, Plane, Shade, landed, shades_of, unhidden, visible
+from clerestory.room.sunlit_cells import cells_of, sky_cells
 from clerestory.room.surroundings import Array, Surroundings, WindowFrame
 
 #: Windows and mirrors that a beam goes by at most, and beams in all.
 _MOST_STEPS, _MOST_BEAMS = 6, 400
+#: Facets in the way of a beam, beyond which it is looked at cell by cell.
+_MOST_SHADES = 150
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +87,11 @@ def sun_on(around: Surroundings, facets: Facets, window: WindowFrame, towards: A
     counts = facets.sides[facets.surface == window.surface]
     pieces = [anticlockwise(plane.flat(corners[:n])) for corners, n in zip(own, counts, strict=True)]
     whole = sum(map(area, pieces))
-    shades = shades_of(facets, plane, towards, pieces)
+    shades = shades_of(facets, plane, towards, pieces, most=_MOST_SHADES)
+    if shades is None:
+        left, share, often = sky_cells(around, plane, towards, pieces)
+        by = around.names[int(often.argmax())] if often.any() else ""
+        return Sunlight(window, cos, plane, left, share, by)
     opaque = [shade for shade in shades if not around.is_window[shade.surface]]
     in_sight = unhidden(pieces, opaque)
     hidden: dict[int, float] = {}
@@ -141,9 +148,10 @@ def _through(
 def _land(around: Surroundings, facets: Facets, beam: Beam, index: int, lit: Lit, least_power: float) -> list[Beam]:
     """Adds the patches of a beam; what becomes of it at windows and mirrors."""
     following: list[Beam] = []
-    shades = shades_of(facets, beam.plane, beam.direction, beam.pieces)
+    shades = shades_of(facets, beam.plane, beam.direction, beam.pieces, most=_MOST_SHADES)
     onward: dict[int, list[tuple[Shade, Polygon]]] = {}
-    for shade, pieces in visible(shades):
+    seen = cells_of(around, beam.plane, beam.direction, beam.pieces) if shades is None else visible(shades)
+    for shade, pieces in seen:
         both = [one for mine in beam.pieces for piece in pieces if (one := shared(mine, piece))]
         both = [one for one in both if area(one) > 1e-10]
         if around.is_window[shade.surface] or around.specular[shade.surface] > 0.0:
@@ -194,6 +202,3 @@ def _normal(corners: Array) -> Array:
 
 def _size(corners: Array) -> float:
     return float(np.linalg.norm(np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)))
-
-
-__all__ = ["Beam", "Lit", "Patch", "Sunlight", "beams_of", "facets_of", "sun_on"]

@@ -12,7 +12,7 @@ import numpy as np
 from clerestory.room.material import Material, as_material
 from clerestory.room.opening import rectangle
 from clerestory.room.shoebox import Shoebox
-from clerestory.room.surface import Outline, Surface
+from clerestory.room.surface import Outline, Surface, check_name
 from clerestory.rules import not_negative, number, positive, within
 
 
@@ -42,8 +42,10 @@ class FacingBuilding:
     name: str = "building"
 
     def __post_init__(self) -> None:
+        check_name(self.name)
         positive(f"distance_m of {self.name!r}", self.distance_m)
-        number(f"base_m of {self.name!r}", self.base_m)
+        for name in ("base_m", "height_m"):
+            number(f"{name} of {self.name!r}", getattr(self, name))
         positive(f"height_m - base_m of {self.name!r}", self.height_m - self.base_m)
         positive(f"width_m of {self.name!r}", self.width_m)
 
@@ -77,6 +79,7 @@ class Overhang:
     name: str = "overhang"
 
     def __post_init__(self) -> None:
+        check_name(self.name)
         positive(f"depth_m of {self.name!r}", self.depth_m)
         number(f"height_m of {self.name!r}", self.height_m)
         if self.width_m is not None:
@@ -114,6 +117,7 @@ class LightShelf:
     name: str = "light shelf"
 
     def __post_init__(self) -> None:
+        check_name(self.name)
         positive(f"height_m of {self.name!r}", self.height_m)
         not_negative(f"outside_m of {self.name!r}", self.outside_m)
         not_negative(f"inside_m of {self.name!r}", self.inside_m)
@@ -168,6 +172,9 @@ class Louvres:
     name: str = "louvres"
 
     def __post_init__(self) -> None:
+        check_name(self.name)
+        for name in ("bottom_m", "top_m", "distance_m"):
+            number(f"{name} of {self.name!r}", getattr(self, name))
         positive(f"top_m - bottom_m of {self.name!r}", self.top_m - self.bottom_m)
         within(f"count of {self.name!r}", self.count, 2, 10_000)
         positive(f"depth_m of {self.name!r}", self.depth_m)

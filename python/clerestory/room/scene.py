@@ -14,7 +14,7 @@ from clerestory.errors import ClerestoryError
 from clerestory.room.obstruction import Obstruction, obstruction_surfaces
 from clerestory.room.sensors import SensorGrid, Sensors
 from clerestory.room.shoebox import Shoebox
-from clerestory.room.surface import Interface, Mesh, Surface
+from clerestory.room.surface import Interface, Mesh, Surface, check_name
 from clerestory.room.window import Window
 from clerestory.rules import within
 from clerestory.site import Site
@@ -66,6 +66,7 @@ class Room:
             for index, thing in enumerate(things):
                 if not isinstance(thing, kind):
                     raise ClerestoryError(f"{field}[{index}] must be of its kind, got {thing!r}")
+        check_name(self.name)
         within("ground_reflectance", self.ground_reflectance, 0.0, 1.0)
         if self.site is not None and not isinstance(self.site, Site):
             raise ClerestoryError(f"site must be a Site(latitude_deg=…, longitude_deg=…), got {self.site!r}")

@@ -42,8 +42,12 @@ class Sensors:
         places = points(f"points_m of {name!r}", self.points_m)
         if len(places) == 0:
             raise ClerestoryError(f"points_m of {name!r} must hold at least one point, got none")
-        given = np.asarray(self.normals, dtype=np.float64)
-        normals = points(f"normals of {name!r}", np.broadcast_to(given, places.shape) if given.ndim == 1 else given)
+        try:
+            given = np.asarray(self.normals, dtype=np.float64)
+            given = np.broadcast_to(given, places.shape) if given.ndim == 1 else given
+        except (TypeError, ValueError) as cause:
+            raise ClerestoryError(f"normals of {name!r} must be 3 numbers, or 3 for each point: {cause}") from cause
+        normals = points(f"normals of {name!r}", given)
         if normals.shape != places.shape:
             raise ClerestoryError(
                 f"normals of {name!r} must be one for each of its {len(places)} points, got {len(normals)}"

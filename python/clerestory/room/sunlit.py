@@ -82,8 +82,13 @@ class Shade(NamedTuple):
     surface: int
 
 
-def shades_of(facets: Facets, plane: Plane, direction: Array, within: Sequence[Polygon]) -> list[Shade]:
-    """Pieces that light from a plane along a direction may meet, where it comes from the box about some polygons."""
+def shades_of(
+    facets: Facets, plane: Plane, direction: Array, within: Sequence[Polygon], *, most: int
+) -> list[Shade] | None:
+    """Pieces that light from a plane along a direction may meet, where it comes from the box about some polygons.
+
+    None if there are more than ``most``.
+    """
     steep = float(direction @ plane.axes[2])
     heights = (facets.corners - plane.origin) @ plane.axes[2] * np.sign(steep)
     points = np.array([point for polygon in within for point in polygon])
@@ -95,7 +100,9 @@ def shades_of(facets: Facets, plane: Plane, direction: Array, within: Sequence[P
     # those that reach through the plane are cut before their box is known
     through = heights.min(axis=1) < -_IN_PLANE
     inside = ((flat.max(axis=1) > low) & (flat.min(axis=1) < high)).all(axis=1) | through
-    made = []
+    if int(inside.sum()) > 4 * most:
+        return None
+    made: list[Shade] = []
     box = [(low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])]
     for k in np.flatnonzero(inside):
         count = int(facets.sides[ahead[k]])
@@ -106,16 +113,15 @@ def shades_of(facets: Facets, plane: Plane, direction: Array, within: Sequence[P
         if not outline or area(outline) < 1e-12:
             continue
         made.append(Shade(outline, _distance(spots, off), int(facets.surface[ahead[k]])))
-    return made
+    return made if len(made) <= most else None
 
 
-def visible(shades: Sequence[Shade], *, passing: Sequence[int] = ()) -> list[tuple[Shade, list[Polygon]]]:
-    """What of each shade is met first; surfaces of ``passing`` hide nothing and are not met."""
-    seen = [shade for shade in shades if shade.surface not in passing]
+def visible(shades: Sequence[Shade]) -> list[tuple[Shade, list[Polygon]]]:
+    """What of each shade is met first."""
     found = []
-    for index, shade in enumerate(seen):
+    for index, shade in enumerate(shades):
         pieces = [shade.outline]
-        for other, hiding in enumerate(seen):
+        for other, hiding in enumerate(shades):
             if other == index:
                 continue
             # before this one, or as far and first in order

@@ -141,7 +141,10 @@ def check_material(name: str, material: Any) -> None:
 def _keep_mesh(mesh: Mesh | Interface) -> None:
     name = check_name(mesh.name)
     vertices = points(f"vertices_m of {name!r}", mesh.vertices_m)
-    triangles = np.asarray(mesh.triangles)
+    try:
+        triangles = np.asarray(mesh.triangles)
+    except ValueError as cause:
+        raise ClerestoryError(f"triangles of {name!r} must be rows of 3 whole numbers: {cause}") from cause
     if triangles.ndim != 2 or triangles.shape[1] != 3 or not np.issubdtype(triangles.dtype, np.integer):
         raise ClerestoryError(
             f"triangles of {name!r} must be rows of 3 whole numbers, got shape {triangles.shape} of {triangles.dtype}"
