@@ -120,13 +120,13 @@ export function DrawCarpet({ carpet, label, months, hourWord, onlyUse, isDark, c
         {Array.from({ length: 64 }, (_, k) => (
           <rect key={k} x={0} y={high * (1 - (k + 1) / 64)} width={13} height={high / 64 + 0.6} fill={cividis((k + 0.5) / 64)} />
         ))}
-        <rect x={0} y={high + 5} width={13} height={9} fill={NIGHT} />
+        <rect x={0} y={high + 12} width={13} height={9} fill={NIGHT} />
         {carpet.ticks.map((tick) => (
           <text key={tick} class="small" x={18} y={high * (1 - share(tick))} dominant-baseline="central">
             {said(tick, "lx")}
           </text>
         ))}
-        <text class="small" x={18} y={high + 10} dominant-baseline="central">
+        <text class="small" x={18} y={high + 17} dominant-baseline="central">
           0
         </text>
         <text class="small faint" x={0} y={-8}>

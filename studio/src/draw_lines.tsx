@@ -37,7 +37,7 @@ const [LEFT, RIGHT, FOOT] = [58, 14, 44];
 
 export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null, isLogarithmic = false, xTicks, here = null, low, high, width = 520, height = 300, shading, onPick }: Props) {
   const drawing = useRef<SVGSVGElement>(null);
-  const perRow = lines.some((one) => one.label.length > 20) || lines.length > 2 ? 2 : Math.max(lines.length, 1);
+  const perRow = Math.max(1, Math.min(lines.length, Math.floor((width - LEFT - RIGHT) / (Math.min(Math.max(...lines.map((one) => one.label.length), 1), 30) * 6.6 + 44))));
   const top = 14 + 18 * Math.ceil(lines.length / perRow);
   const known = lines.flatMap((line) => [line.values, line.low ?? [], line.high ?? []].flat()).filter((one): one is number => one !== null && Number.isFinite(one));
   const positive = known.filter((one) => one > 0);

@@ -1,5 +1,6 @@
 // What the variants come down to: a table with the best marked, and shares as dots.
 
+import { categoryOf, markOf } from "./colours";
 import { DrawDots } from "./draw_dots";
 import { Figure } from "./save";
 import { change } from "./state";
@@ -9,7 +10,7 @@ import { yearWords as words } from "./year_words";
 export function YearFigures({ told, shown, explains }: { told: ResultTold; shown: number[]; explains: boolean }) {
   const names = shown.map((k) => told.variants[k]);
   const rows = told.figures.filter((row) => row.cells.some((cell) => cell.value !== null));
-  const dots = rows.filter((row) => row.is_share).map((row) => ({ label: row.label.replace(/, mean$/, ""), dots: shown.map((k) => row.cells[k]) }));
+  const dots = rows.filter((row) => row.is_share).map((row) => ({ label: row.name === "lighting_saved_percent" ? words.electricitySaved : row.label.replace(/, mean$/, ""), dots: shown.map((k) => row.cells[k]) }));
   const table = () => ({
     figure: rows.flatMap((row) => shown.map(() => quoted(row.label))),
     unit: rows.flatMap((row) => shown.map(() => row.unit)),
@@ -18,7 +19,7 @@ export function YearFigures({ told, shown, explains }: { told: ResultTold; shown
     standard_error: rows.flatMap((row) => shown.map((k) => row.cells[k].error ?? "")),
   });
   return (
-    <div class={dots.length ? "grid figuresGrid" : ""}>
+    <div class={dots.length || told.glazings.length ? "grid figuresGrid" : ""}>
       <Figure name="figures" title={words.figures} hint={names.length > 1 ? words.figuresHint : undefined} table={table} noPicture>
         <div class="tableScroll" tabindex={0} role="group" aria-label={words.figures}>
           <table class="figures">
@@ -64,11 +65,33 @@ export function YearFigures({ told, shown, explains }: { told: ResultTold; shown
           {words.explain}
         </label>
       </Figure>
+      <div class="chartStack">
       {dots.length > 0 && (
         <Figure name="comparison" title={words.comparison} table={table}>
           <DrawDots rows={dots} names={names} axis={words.share} label={`${words.comparison}: ${dots.map((row) => `${row.label} ${row.dots.map((dot, k) => `${names[k]} ${dot.text}`).join(", ")}`).join("; ")}`} />
         </Figure>
       )}
+      {told.glazings.length > 0 && (
+        <section class="figure glazings" aria-label={words.whatIsCompared}>
+          <h3>{words.whatIsCompared}</h3>
+          <dl>
+            {shown.map((k, number) => (
+              <div key={told.variants[k]}>
+                <dt>
+                  <svg viewBox="-7 -7 14 14" aria-hidden="true">
+                    <path class="seriesMark" fill={categoryOf(number)} d={markOf(number)} />
+                  </svg>
+                  {told.variants[k]}
+                </dt>
+                {told.glazings[k]?.map((text) => (
+                  <dd key={text}>{text}</dd>
+                ))}
+              </div>
+            ))}
+          </dl>
+        </section>
+      )}
+      </div>
     </div>
   );
 }

@@ -110,8 +110,7 @@ export function YearHours({ told, shown, look, isDark }: Props) {
           </Figure>
         )}
         <Faults faults={hour.faults} />
-        <div class="chartStack">
-          {carpet && picked && (
+        {carpet && picked && (
             <Figure name="day" title={words.oneDay(daySaid(carpet.days[picked[0]]))} hint={about[0].toUpperCase() + about.slice(1)} table={dayTable}>
               <DrawLines
                 x={hours}
@@ -123,13 +122,15 @@ export function YearHours({ told, shown, look, isDark }: Props) {
                 level={300}
                 xTicks={[0, 3, 6, 9, 12, 15, 18, 21, 24].filter((tick) => tick <= hours[hours.length - 1] && tick >= hours[0]).map((tick) => [tick, String(tick)])}
                 here={hours[picked[1]]}
-                shading={useSpans(carpet, picked[0], hours)}
+                shading={spansOfUse(carpet, picked[0], hours)}
                 onPick={(r) => pick([picked[0], r])}
+                height={400}
               />
               <DataTable summary={words.asTable} table={dayTable} />
             </Figure>
-          )}
-          {months.value && months.value.months.length > 1 && (
+        )}
+      </div>
+      {months.value && months.value.months.length > 1 && (
             <Figure name="months" title={words.monthsTitle} hint={look.onlyUse ? words.monthsUse : words.monthsAll} table={monthTable}>
               <DrawLines
                 x={months.value.months.map((_, k) => k)}
@@ -139,12 +140,12 @@ export function YearHours({ told, shown, look, isDark }: Props) {
                 yLabel={`${words.illuminance} [lx]`}
                 unit="lx"
                 xTicks={months.value.months.map((month, k): [number, string] => [k, words.months[Number(month.slice(5, 7)) - 1]])}
+                width={1000}
+                height={270}
               />
               <DataTable summary={words.asTable} table={monthTable} />
             </Figure>
           )}
-        </div>
-      </div>
     </>
   );
 }
@@ -188,7 +189,7 @@ function skySaid(plan: HourPlan, shown: number[], told: ResultTold): string {
 }
 
 /** Spans of a day in which the room is in use, as places on the axis of hours. */
-function useSpans(carpet: Carpet, day: number, hours: number[]): [number, number][] {
+function spansOfUse(carpet: Carpet, day: number, hours: number[]): [number, number][] {
   const spans: [number, number][] = [];
   const isUsed = (r: number) => (carpet.in_use as Numbers)[r * carpet.days.length + day] === 1;
   for (let r = 0; r < carpet.rows; r++) {

@@ -126,17 +126,6 @@ export function YearView({ state, isDark }: { state: State; isDark: boolean }) {
               <details>
                 <summary>{words.provenance}</summary>
                 <dl class="provenance">
-                  {told.variants.map(
-                    (name, k) =>
-                      told.glazings[k] && (
-                        <div key={name}>
-                          <dt>
-                            {words.glazings}, {name}
-                          </dt>
-                          <dd>{told.glazings[k].join("; ")}</dd>
-                        </div>
-                      ),
-                  )}
                   {told.provenance.map((one) => (
                     <div key={one.label}>
                       <dt>{one.label}</dt>

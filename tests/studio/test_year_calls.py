@@ -15,6 +15,7 @@ from tests.studio.conftest import TestClient
 
 from clerestory.illuminance import daylight_factor
 from clerestory.studio.app import make_app
+from clerestory.studio.glazing_words import glazing_words
 from clerestory.studio.settings import Settings
 from clerestory.year.figures import FIGURES
 
@@ -223,6 +224,25 @@ def test_a_panels_table_is_drawn_against_elevation(client: TestClient, result_fo
         np.testing.assert_allclose(columns["transmittance_deflected"], found["transmittance_deflected"].values.ravel())
     assert columns["elevation"] == [0, 20, 40, 60]
     assert (cases["start"]["x"], cases["start"]["y"][0]) == ("elevation", "transmittance_deflected")
+
+
+@pytest.mark.parametrize(
+    ("told", "words"),
+    [
+        (
+            "window 1: LaserCutPanel(spacing_mm=4.0, thickness_mm=6.0, cut_width_mm=0.0, medium=Medium.named('pmma'))",
+            "window 1: laser-cut panel, spacing 4 mm, thickness 6 mm, medium pmma",
+        ),
+        (
+            "w: Stack(layers=(Glass(transmittance=0.88), Pane(thickness_mm=4.0, tilt_deg=None)))",
+            "w: stack of 2: glass, transmittance 0.88 + pane, thickness 4 mm",
+        ),
+        ("anything else", "anything else"),
+        ("w: Odd((", "w: Odd(("),
+    ],
+)
+def test_glazings_are_told_in_words(told: str, words: str) -> None:
+    assert glazing_words(told) == words
 
 
 def test_what_is_dropped_is_the_same_as_what_is_opened(client: TestClient, result_folder: Path) -> None:

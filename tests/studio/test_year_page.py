@@ -46,7 +46,8 @@ def year(own: Path) -> xr.Dataset:
 
 
 def opened(page: Any, url: str, path: str, heading: str, **state: Any) -> None:
-    said = {"view": "year", "year.path": path} | {f"year.{name}": value for name, value in state.items()}
+    said = {"view": "year", "theme": state.pop("theme", "auto"), "year.path": path}
+    said |= {f"year.{name}": value for name, value in state.items()}
     page.goto("about:blank")
     page.goto(f"{url}#" + "&".join(f"{name}={quote(json.dumps(value))}" for name, value in said.items()))
     page.get_by_role("heading", name=heading, exact=True).wait_for(timeout=40_000)
@@ -195,18 +196,23 @@ def test_pictures_of_the_classroom(browser: Any) -> None:
         pytest.skip("CLERESTORY_CLASSROOM and CLERESTORY_PICTURES are not set")
     process, url = chromium.started(Path(classroom))
     try:
-        tab = browser.new_page(viewport={"width": 1360, "height": 900})
-        for name, path, state in (
-            ("studio-year", "out/classroom/year.nc", {"theme": "light"}),
-            ("studio-year-dark", "out/classroom/year.nc", {"theme": "dark"}),
-        ):
-            tab.goto("about:blank")
-            tab.goto(f"{url}#view=%22year%22&theme=%22{state['theme']}%22&year.path={quote(json.dumps(path))}")
-            tab.locator("svg.carpets").wait_for(timeout=60_000)
-            tab.get_by_role("heading", name=re.compile("^Month")).wait_for(timeout=60_000)
-            tab.get_by_role("heading", name=re.compile("^One hour")).wait_for(timeout=60_000)
-            tab.wait_for_timeout(1000)
-            chromium.picture(tab, name)
+        tab = browser.new_page(viewport=chromium.SIZE)
+        for theme, ending in (("light", ""), ("dark", "-dark")):
+            opened(tab, url, "out/classroom/year.nc", "Classroom in Miami", theme=theme)
+            for name in (".carpets", "section[aria-label^='One hour'] .plans", "section[aria-label^='Month']"):
+                tab.locator(name).first.wait_for(timeout=60_000)
+            cut = tab.locator("section[aria-label='Hours of the year']").bounding_box()["y"] - 8
+            clip = {"x": 0, "y": 0, "width": 1360, "height": cut}
+            tab.screenshot(path=f"{kept}/studio-year{ending}.png", full_page=True, clip=clip)
+            # the side beside the hours is empty
+            high = tab.evaluate("document.documentElement.scrollHeight") - cut
+            clip = {"x": 288, "y": cut, "width": 1072, "height": high}
+            tab.screenshot(path=f"{kept}/studio-hours{ending}.png", full_page=True, clip=clip)
+        tab.close()
+        tab = browser.new_page(viewport=chromium.SIZE)
+        opened(tab, url, "out/design/summary.json", "design")
+        tab.locator(".bestRing").first.wait_for()
+        chromium.picture(tab, "studio-design")
         tab.close()
     finally:
         process.terminate()

@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+from clerestory.studio.glazing_words import glazing_words
 from clerestory.studio.result_cases import cases
 from clerestory.studio.result_figures import figures_of_result
 from clerestory.studio.result_kinds import KINDS
@@ -111,7 +112,7 @@ def _glazings(result: Result) -> list[list[str]]:
     told = []
     for text in result.data["glazings"].values.tolist():
         try:
-            told.append([str(one) for one in json.loads(text)])
+            told.append([glazing_words(str(one)) for one in json.loads(text)])
         except (ValueError, TypeError):
             told.append([str(text)])
     return told
