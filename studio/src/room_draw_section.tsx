@@ -1,7 +1,7 @@
 // Values along a line from the window into the room, with their standard errors and the band of each row.
 
 import type { Along } from "./room_flat";
-import { type Scale, share, ticks, written } from "./room_scale";
+import { type Scale, share, ticks, unsure, written } from "./room_scale";
 
 interface Props {
   line: Along;
@@ -61,7 +61,7 @@ export function DrawDepth({ line, distances, values, errors, scale, unit, picked
           <g key={k}>
             {error > 0 && <path class="errorBar" d={`M${px} ${up}V${down}M${px - 4} ${up}h8M${px - 4} ${down}h8`} />}
             <circle class={`rowDot${k === picked ? " here" : ""}`} cx={px} cy={y(values[k])} r={k === picked ? 6 : 3.6} onClick={() => onPick(k)}>
-              <title>{`${written(values[k])} ± ${written(error)} ${unit}`}</title>
+              <title>{`${unsure(values[k], error).value}${error ? ` ± ${unsure(values[k], error).error}` : ""} ${unit}`}</title>
             </circle>
           </g>
         );

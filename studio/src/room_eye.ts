@@ -62,7 +62,7 @@ export function eyeOf(name: EyeName, scene: RoomScene, aspect: number): Eye {
   const eyes: Record<EyeName, Eye> = {
     overview: moved(all, 0, 0.5 * radius * (1 - DISC * sin)),
     facade: { turn: turned(out), tilt: 8, far: far(1.3 * along, 1.45 * high3) + deep / 2, at, isFlat: false },
-    section: { turn: turned(side), tilt: 0, far: far(1.5 * deep, 1.35 * high3), at: plus(at, out, 0.14 * deep), isFlat: true },
+    section: { turn: turned(side), tilt: 0, far: far(1.42 * deep, 1.3 * high3), at: plus(at, out, 0.12 * deep), isFlat: true },
     plan: { turn: turned(side), tilt: 90, far: far(1.25 * deep, 1.25 * along), at, isFlat: true },
     back: { turn: turned(plus([0, 0, 0], out, -1)), tilt: 6, far: far(1.2 * along, 1.3 * high3) + deep / 2, at, isFlat: false },
   };

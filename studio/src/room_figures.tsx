@@ -6,7 +6,7 @@ import { DrawPlan } from "./room_draw_plan";
 import { DrawDepth } from "./room_draw_section";
 import { along, flatten } from "./room_flat";
 import type { Told } from "./room_numbers";
-import { type Scale, scaleOf, written } from "./room_scale";
+import { type Scale, scaleOf, unsure, written } from "./room_scale";
 import type { RoomState } from "./room_state";
 import { Figure } from "./save";
 import { words } from "./words";
@@ -82,9 +82,9 @@ export function RoomFigures({ room, scene, plane, told, scale, unit, light, isSt
                     <td key={axis}>{one.toFixed(2)}</td>
                   ))}
                   <td>
-                    {written(told.values[k])} {unit}
+                    {unsure(told.values[k], errors[k]).value} {unit}
                   </td>
-                  <td>{errors[k] === undefined ? "–" : written(errors[k])}</td>
+                  <td>{unsure(told.values[k], errors[k]).error || "–"}</td>
                 </tr>
               ))}
             </tbody>

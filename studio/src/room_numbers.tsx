@@ -4,7 +4,7 @@ import type { Fault } from "./ask";
 import type { Doing } from "./follow";
 import { Faults } from "./inputs";
 import type { RoomLight, RoomWork } from "./room_answers";
-import { written } from "./room_scale";
+import { unsure, written } from "./room_scale";
 import { words } from "./words";
 
 const said = words.rooms;
@@ -35,9 +35,9 @@ export function RoomNumbers({ told, unit, light, isStale }: { told: Told | null;
       {cards.map(([name, label, value, error, of]) => (
         <div key={name}>
           <b data-number={name} data-value={value ?? ""}>
-            {value === undefined ? "…" : written(value)}
+            {value === undefined ? "…" : unsure(value, error).value}
             <small>
-              {error ? ` ± ${written(error)}` : ""} {of}
+              {value !== undefined && error ? ` ± ${unsure(value, error).error}` : ""} {of}
             </small>
           </b>
           <span>{label}</span>

@@ -49,11 +49,21 @@ export function ticks(scale: Scale, about = 5): number[] {
   return found;
 }
 
+/** A value and its standard error, both to the digits that the error leaves. */
+export function unsure(value: number, error: number | null | undefined): { value: string; error: string } {
+  if (!error || !Number.isFinite(error)) return { value: written(value), error: "" };
+  const digits = Math.min(6, Math.max(0, -Math.floor(Math.log10(error) - Math.log10(2))));
+  const put = (one: number) => grouped(one.toFixed(digits), one);
+  return { value: put(value), error: put(error) };
+}
+
+const grouped = (text: string, value: number) => (Math.abs(value) >= 10_000 ? text.replace(/\B(?=(\d{3})+$)/g, "\u202f") : text);
+
 /** As people write it: three figures, no dust. */
 export function written(value: number): string {
   if (!Number.isFinite(value)) return "–";
   if (value !== 0 && Math.abs(value) < 0.005) return value.toExponential(1);
   const digits = Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : Math.abs(value) >= 1 ? 2 : 3;
   const text = value.toLocaleString("en", { maximumFractionDigits: digits, useGrouping: false });
-  return text.length > 4 && Math.abs(value) >= 10_000 ? text.replace(/\B(?=(\d{3})+$)/g, "\u202f") : text;
+  return grouped(text, value);
 }

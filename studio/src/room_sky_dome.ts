@@ -46,7 +46,7 @@ export function drawSunPaths(sun: SunTold, dome: Dome, look: Look, words: DomeWo
   put(others.flatMap((one) => arc(one.points)), 1.2, look.faint, 0.6);
   for (const season of sun.seasons) {
     const there = named(season.points);
-    if (there) group.add(label(season.label, plus(dome.centre, there.direction, 1.05 * dome.radius), look.faint, look.halo, 11, 400));
+    if (there) group.add(label(season.label, plus(dome.centre, there.direction, 1.05 * dome.radius), look.faint, look.halo, 12, 500));
   }
   put(arc(sun.day), 3.2, look.sun, 1);
   for (const hour of sun.day) {
@@ -54,7 +54,7 @@ export function drawSunPaths(sun: SunTold, dome: Dome, look: Look, words: DomeWo
     const dot = new Mesh(new SphereGeometry(0.011 * dome.radius, 10, 8), new MeshBasicMaterial({ color: look.sun }));
     dot.position.set(...on(hour.direction));
     group.add(dot);
-    if (hour.hour % 3 === 0) group.add(label(words.hour(hour.hour), plus(dome.centre, hour.direction, 1.07 * dome.radius), look.ink, look.halo, 11, 500));
+    if (hour.hour % 3 === 0) group.add(label(words.hour(hour.hour), plus(dome.centre, hour.direction, 1.07 * dome.radius), look.ink, look.halo, 12, 500));
   }
   return group;
 }

@@ -15,7 +15,7 @@ import { RoomLegend } from "./room_legend";
 import { RoomNumbers, RoomProgress } from "./room_numbers";
 import { captioned } from "./room_picture";
 import { useRoom } from "./room_questions";
-import { scaleOf, written } from "./room_scale";
+import { scaleOf, unsure, written } from "./room_scale";
 import { ShowControls, SkyControls } from "./room_show";
 import type { Met } from "./room_stage";
 import type { RoomState } from "./room_state";
@@ -68,8 +68,8 @@ export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
   };
   const sensorTold = (sensor: number): string => {
     if (!told || !plane?.points_m[sensor]) return "";
-    const error = told.errors?.[sensor];
-    return `${error === undefined || error === null ? `${written(told.values[sensor])} ${unit}` : said.sensor(written(told.values[sensor]), written(error), unit)} (${plane.points_m[sensor].map((one) => one.toFixed(2)).join(", ")})`;
+    const one = unsure(told.values[sensor], told.errors?.[sensor]);
+    return `${one.error ? said.sensor(one.value, one.error, unit) : `${one.value} ${unit}`} (${plane.points_m[sensor].map((one) => one.toFixed(2)).join(", ")})`;
   };
   const png = () => {
     const made = picture.current?.();

@@ -115,9 +115,9 @@ def settled(tab: Any) -> dict[str, float]:
     return {name: float(place.get_attribute(f"data-{name}")) for name in ("rounds", "error")}
 
 
-def picture(tab: Any, name: str) -> None:
-    tab.wait_for_timeout(1200)
-    chromium.picture(tab, f"studio-{name}")
+def picture(tab: Any, name: str, *, is_whole: bool) -> None:
+    tab.wait_for_timeout(2500)
+    chromium.picture(tab, f"studio-{name}", is_whole=is_whole)
 
 
 def api_light(minute: int) -> tuple[Any, Any]:
@@ -333,9 +333,11 @@ def test_without_webgl_the_plan_still_works(tab: Any, studio: str) -> None:
 def test_pictures_for_the_docs(tab: Any, studio: str) -> None:
     if not os.environ.get("CLERESTORY_PICTURES"):
         pytest.skip("no pictures are asked for")
+    tab.set_viewport_size({"width": 1360, "height": 1440})
     opened(tab, studio)
     settled(tab)
-    picture(tab, "room")
-    opened(tab, studio, '&room.view="section"&room.minute=540', theme="dark")
+    picture(tab, "room", is_whole=True)
+    tab.set_viewport_size(chromium.SIZE)
+    opened(tab, studio, '&room.view="section"&room.minute=540&room.plane="on ceiling"', theme="dark")
     settled(tab)
-    picture(tab, "room-section")
+    picture(tab, "room-section", is_whole=False)
