@@ -77,3 +77,20 @@ def page(browser: Any, studio: str) -> Iterator[Any]:
     yield tab
     tab.close()
     assert not wrong
+
+
+@pytest.fixture(scope="session")
+def room_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with rooms, a year and its weather."""
+    own = tmp_path_factory.mktemp("rooms") / "own"
+    shutil.copytree(Path(__file__).parents[2] / "examples" / "classroom", own)
+    (own / "sub").mkdir()
+    (own / "sub" / "named.toml").write_text('room = "../classroom.toml"\n[weather]\nfile = "none.epw"\n')
+    return own
+
+
+@pytest.fixture(scope="session")
+def rooms(room_folder: Path) -> Iterator[TestClient]:
+    """A studio in that folder."""
+    with TestClient(make_app(Settings(folder=room_folder, workers=1)), base_url="http://127.0.0.1:8765") as one:
+        yield one

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
+import re
 import threading
 from collections import OrderedDict
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from datetime import date, time
 from functools import cached_property
@@ -24,12 +27,14 @@ from clerestory.site import Site
 from clerestory.studio.requests import Asked, table
 from clerestory.studio.room_files import confined, files_of, stamp, with_room_file
 from clerestory.studio.room_weather import weather_of
+from clerestory.studio.shapes import MisshapenError
 from clerestory.year.study import YEAR_TABLES
 
 #: Rooms kept at once, and the most that one may hold.
 _KEPT = 24
 MOST_TRIANGLES = 200_000
 _NOT_THE_ROOM = frozenset(YEAR_TABLES)
+_FIELD = re.compile(r"(?:^|: )([a-z]\w*)(?: of [^:]*?)? must ")
 #: Tables that no light depends on.
 _DARK = _NOT_THE_ROOM | {"name", "site", "sensors"}
 
@@ -81,7 +86,7 @@ class AskedRoom:
         ClerestoryError
             If there is no such variant, or the room is wrong.
         """
-        with self._lock:
+        with self._lock, _beside_its_field():
             label = one_of("variant", self.base.name if variant is None else variant, tuple(self.variants))
             if label not in self._rooms:
                 glazing = glazing_tables(Table(self.tables.get("glazings", {}), "[glazings]"), self.folder)
@@ -115,6 +120,18 @@ class AskedRoom:
         return weather_of(self.root, self.folder, weather["file"], weather.get("timezone")).site
 
 
+@contextlib.contextmanager
+def _beside_its_field() -> Iterator[None]:
+    """A mistake in a table is told with the name of the value, "[site] of the room: NAME must …"."""
+    try:
+        yield
+    except ClerestoryError as error:
+        told = _FIELD.findall(str(error))
+        if told:
+            raise MisshapenError(told[-1], str(error)) from None
+        raise
+
+
 class Rooms:
     """The rooms that were asked for last, by what makes them."""
 
@@ -127,6 +144,10 @@ class Rooms:
         tables, folder = _tables_of(root, room)
         tables, folder = with_room_file(root, folder, tables)
         files = [stamp(path) for path in files_of(root, folder, tables)]
+        # it gives the room its place, if [site] does not
+        weather = tables.get("weather")
+        if "site" not in tables and isinstance(weather, dict) and "file" in weather:
+            confined(root, folder, weather["file"], "file of [weather]")
         text = json.dumps([str(folder), tables, files], sort_keys=True, default=str)
         key = hashlib.sha256(text.encode()).hexdigest()[:24]
         with self._lock:

@@ -15,10 +15,11 @@ from clerestory.studio.room_asked import asked_room
 from clerestory.studio.room_kinds import room_kinds, start_tables
 from clerestory.studio.room_light import light_of
 from clerestory.studio.room_path_answers import paths_of
+from clerestory.studio.room_shapes import KINDS, LIGHT, PATHS, SCENE, SUN
 from clerestory.studio.room_sky import moment_of
 from clerestory.studio.room_sun_answers import altitude_azimuth, asked_site, checked_angles, moment
 from clerestory.studio.room_sun_answers import sun_of as sun_course
-from clerestory.studio.shapes import FLAG, INTEGER, NUMBER, TABLE, TEXT, listed
+from clerestory.studio.shapes import FLAG, INTEGER, NUMBER, TABLE, TEXT, MisshapenError, listed, record
 from clerestory.studio.toml_kinds import toml_of
 
 _EXAMPLE = {"tables": start_tables()}
@@ -48,7 +49,7 @@ def scene(request: Request, asked: Asked) -> dict[str, Any]:
 
 def sun(_: Request, asked: Asked) -> dict[str, Any]:
     """Where the sun stands at a site, through the day and the year."""
-    return sun_course(asked_site(asked["site"]), asked["day_of_year"], asked["hour"], course=asked["course"])
+    return sun_course(asked_site(asked["site"]), asked["day_of_year"], asked["hour"], year=asked["year"])
 
 
 def paths(request: Request, asked: Asked) -> dict[str, Any]:
@@ -60,7 +61,7 @@ def paths(request: Request, asked: Asked) -> dict[str, Any]:
         if room.site is None:
             raise ClerestoryError("room must have a [site], or altitude_deg and azimuth_deg be given")
         if "day_of_year" not in asked or "hour" not in asked:
-            raise ClerestoryError("day_of_year and hour must be given, or altitude_deg and azimuth_deg")
+            raise MisshapenError("day_of_year", "day_of_year and hour must be given, or altitude_deg and azimuth_deg")
         now = moment(room.site, asked["day_of_year"], asked["hour"])
         altitude, azimuth = (float(one[0]) for one in altitude_azimuth(room.site, [now]))
     return paths_of(
@@ -100,7 +101,7 @@ _SITE = Field(
     example=start_tables()["site"],
 )
 ROUTES = [
-    call("/api/room/kinds", kinds, {}),
+    call("/api/room/kinds", kinds, {}, gives=KINDS),
     call(
         "/api/room/scene",
         scene,
@@ -110,6 +111,7 @@ ROUTES = [
             "planes": Field(listed(TEXT, most=16), "Planes to lay out; without it the room's own sensors", None),
             "spacing_m": Field(NUMBER, "Of sensors that lie on surfaces [m]", None),
         },
+        gives=SCENE,
     ),
     call(
         "/api/room/sun",
@@ -118,8 +120,9 @@ ROUTES = [
             "site": _SITE,
             "day_of_year": DAY,
             "hour": HOUR,
-            "course": Field(FLAG, "Whether to tell the sun's way through the day and the year too", True),
+            "year": Field(FLAG, "Whether to tell the seasons and the analemmas too", False),
         },
+        gives=SUN,
     ),
     call(
         "/api/room/paths",
@@ -133,6 +136,7 @@ ROUTES = [
             "azimuth_deg": Field(NUMBER, "Of the sun instead of a time, clockwise from north [°]", None),
             "density": Field(INTEGER, "Points of each window from which paths are drawn [1..400]", None),
         },
+        gives=PATHS,
     ),
     call(
         "/api/room/light",
@@ -144,11 +148,13 @@ ROUTES = [
             "sky": SKY,
             "sun_rounds": Field(INTEGER, "Of the sun's light, if less is known of it [4..64]", None),
         },
+        gives=LIGHT,
     ),
-    call("/api/room/toml", to_toml, {"room": ROOM}),
+    call("/api/room/toml", to_toml, {"room": ROOM}, gives=record({"text": TEXT})),
     call(
         "/api/room/read",
         from_toml,
         {"text": Field(TEXT, "Text of a room's or a year's TOML file", example=tomli_w.dumps(start_tables()))},
+        gives=record({"tables": TABLE}),
     ),
 ]

@@ -72,7 +72,7 @@ def asked_sun_job(request: Request, asked: Asked) -> dict[str, Any]:
     kept = shelf.get(asked["key"])
     now = moment_of(kept.asked, asked["sky"], asked["day_of_year"], asked["hour"])
     if not direction_is_up(now):
-        raise ClerestoryError("hour must be one of sunshine for this, got one without")
+        raise ClerestoryError("hour must be one with sunshine to refine it, got one without")
     sun = sun_of(now)
     return {
         "root": str(kept.asked.root),
@@ -91,6 +91,7 @@ def asked_sun_job(request: Request, asked: Asked) -> dict[str, Any]:
 def keep_pass(state: Any, arguments: Asked, partial: Any) -> Any:
     """Keeps the pass that a job sends, and tells the page how good all are together."""
     state.room_shelf.add(arguments["key"], partial["number"], (partial["batch"], partial["cpu_seconds"]))
+    state.room_shelf.warn(arguments["key"], partial["told"]["notes"])
     # the scatter of one pass says nothing; it is waited for, unless that is long
     is_early = partial["told"]["passes"] < 2 and partial["cpu_seconds"] < _SOON_S
     return None if is_early else partial["told"]

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from clerestory.coefficients import PARTS
+from clerestory.errors import ClerestoryError
 from clerestory.sky.cie_sky import CieSky
 from clerestory.studio.room_numbers import whole
 from clerestory.studio.room_pool import Array, Pool, relative, scatter
@@ -42,8 +43,14 @@ def light_of(shelf: RoomShelf, kept: Kept, now: Moment, sun_rounds: Any) -> dict
         sky_each = pool.each(luminance).sum(axis=1)
         sky, sky_error = np.tensordot(pool.shares, sky_each, axes=1), scatter(sky_each, pool.shares)
     sun, sun_error, sun_each, known = np.zeros((len(PARTS), len(dark))), dark, dark[None], Pool()
+    notes = list(kept.warned)
     if direction_is_up(now):
-        known = sun_pool(shelf, kept, sun_of(now), rounds)
+        try:
+            known = sun_pool(shelf, kept, sun_of(now), rounds)
+        except ClerestoryError as unknown:
+            # a window of which the sun's beams are not known; the sky's light is
+            notes.append(f"the sun's own light is left out: {unknown}")
+    if known.batches:
         sun = known.parts()[..., 0] * now.direct_normal_lx
         sun_error = known.judged()[1] * now.direct_normal_lx
         sun_each = np.stack([one.judged for one in known.batches]) * now.direct_normal_lx
@@ -88,6 +95,7 @@ def light_of(shelf: RoomShelf, kept: Kept, now: Moment, sun_rounds: Any) -> dict
             "direct_normal_lx": now.direct_normal_lx,
             "sky": now.about,
         },
+        "notes": notes,
         **daylight_factor_of(pool),
     }
 

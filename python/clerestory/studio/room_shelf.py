@@ -95,6 +95,12 @@ class RoomShelf:
             self._bounded()
             return found.pool
 
+    def warn(self, key: str, notes: list[str]) -> None:
+        """Keeps what was told of sensors that stand where no one would put one."""
+        with self._lock:
+            if key in self._kept:
+                self._kept[key].warned = tuple(notes)
+
     def add_sun(self, key: str, sun: Sun, number: int, pooled: Any) -> Pool | None:
         """As `add`, of one sun."""
         with self._lock:

@@ -45,25 +45,26 @@ def moment(site: Site, day_of_year: Any, hour: Any, *, year: int = YEAR) -> pd.T
     return _clock(site, np.array([day]), np.array([within("hour", hour, 0.0, 24.0)]), year)[0]
 
 
-def sun_of(site: Site, day_of_year: Any, hour: Any, *, course: bool = True) -> dict[str, Any]:
-    """The sun now, its way through the day, through the seasons, and its place at each full hour through the year.
+def sun_of(site: Site, day_of_year: Any, hour: Any, *, year: bool = False) -> dict[str, Any]:
+    """The sun now and its way through the day; with ``year`` the seasons, and its place at each full hour of the year.
 
-    Altitudes are as seen through the air [degrees]. Without ``course`` the sun now alone.
+    Altitudes are as seen through the air [degrees].
     """
     now = moment(site, day_of_year, hour)
     altitude, azimuth = altitude_azimuth(site, [now])
-    found = {
+    day = int(day_of_year)
+    sunrise, sunset = _rise_and_set(site, day)
+    return {
         "time": now.isoformat(),
         "altitude_deg": float(altitude[0]),
         "azimuth_deg": float(azimuth[0]),
         "direction": direction_of(altitude, azimuth)[0],
         "is_up": bool(altitude[0] > 0.0),
+        "sunrise_h": sunrise,
+        "sunset_h": sunset,
+        "day": _way(site, day),
+        **(_year(site) if year else {}),
     }
-    if not course:
-        return found
-    day = int(day_of_year)
-    sunrise, sunset = _rise_and_set(site, day)
-    return found | {"sunrise_h": sunrise, "sunset_h": sunset, "day": _way(site, day), **_year(site)}
 
 
 def altitude_azimuth(site: Site, times: Any) -> tuple[Any, Any]:

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from clerestory.coefficients import PARTS, SensorWarning, daylight_coefficients
+from clerestory.errors import ClerestoryError
 from clerestory.room.scene import Room
 from clerestory.room.sensors import Sensors
 from clerestory.studio.room_asked import AskedRoom
@@ -67,7 +68,7 @@ def room(
         pace = (time.perf_counter() - started) / nodes
         spent = time.process_time() - cpu
         number, pool = pool.passes, pool.with_batch(_without_parts(batch), spent)
-        about = _told(key, pool, target_relative_error) | {"warnings": warned}
+        about = _told(key, pool, target_relative_error) | {"notes": warned}
         worst = about["worst_relative_error"]
         goal = 1.0 if worst <= target_relative_error else min((target_relative_error / worst) ** 2, 0.99)
         tell(goal, 1.0, {"number": number, "batch": batch, "cpu_seconds": spent, "told": about})
@@ -95,7 +96,11 @@ def room_sun(
     while pool.rounds < _LEAST_ROUNDS or (worst > target_relative_error and pool.rounds < max_rounds):
         cpu = time.process_time()
         rounds = min(_SUN_ROUNDS * 2 ** (pool.passes // 2), _MOST_SUN_ROUNDS)
-        batch = sun_pass(scene, sensors, sun, pool.passes, rounds)
+        try:
+            batch = sun_pass(scene, sensors, sun, pool.passes, rounds)
+        except ClerestoryError as error:
+            # of some windows the sun's beams are not known: there is nothing to refine
+            return _nothing(key, sun) | {"notes": [f"the sun's own light is left out: {error}"]}
         spent = time.process_time() - cpu
         number, pool = pool.passes, pool.with_batch(_without_parts(batch), spent)
         about = sun_told(key, sun, pool, target_relative_error)
@@ -139,11 +144,6 @@ def bare(pool: Pool) -> Pool:
     return Pool(tuple(_without_parts(one) for one in pool.batches), pool.passes, pool.cpu_seconds)
 
 
-def told_of(key: str, pool: Pool, target_relative_error: float) -> dict[str, Any]:
-    """How good a pool is, as the page shows it."""
-    return _told(key, pool, target_relative_error)
-
-
 def sun_told(key: str, sun: tuple[float, float], pool: Pool, target_relative_error: float) -> dict[str, Any]:
     """How good the light of one sun is, as the page shows it."""
     return _told(key, pool, target_relative_error) | {"altitude_deg": sun[0], "azimuth_deg": sun[1]}
@@ -161,6 +161,11 @@ def _told(key: str, pool: Pool, target_relative_error: float) -> dict[str, Any]:
         "cpu_seconds": pool.cpu_seconds,
         "converged": worst <= target_relative_error,
     }
+
+
+def _nothing(key: str, sun: tuple[float, float]) -> dict[str, Any]:
+    good = {"rounds": 0, "passes": 0, "worst_relative_error": 0.0, "mean_relative_error": 0.0, "cpu_seconds": 0.0}
+    return {"key": key, **good, "converged": True, "altitude_deg": sun[0], "azimuth_deg": sun[1]}
 
 
 def _without_parts(batch: Batch) -> Batch:
