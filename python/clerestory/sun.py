@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +11,9 @@ import xarray as xr
 from clerestory.errors import ClerestoryError
 from clerestory.rules import number, within
 from clerestory.site import Site
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 SUN_DIAMETER_DEG = 0.533
 """Mean angle across the sun's disc seen from Earth [deg]."""
@@ -68,7 +71,7 @@ def sun_position(
         altitude=site.elevation_m,
         pressure=pressure,
         temperature=temperature_c,
-        delta_t=None,
+        delta_t=terrestrial_less_universal_s(moments),
     )
     utc = moments.tz_convert("UTC").tz_localize(None).to_numpy().astype("datetime64[ns]")
     local = moments.tz_localize(None).to_numpy().astype("datetime64[ns]")
@@ -98,6 +101,17 @@ def sun_position(
             "timezone": site.timezone,
         },
     )
+
+
+def terrestrial_less_universal_s(moments: pd.DatetimeIndex) -> npt.NDArray[np.float64]:
+    """How far the turning Earth is behind even time, TT - UT [s], by the polynomials of Espenak and Meeus in pvlib.
+
+    Told by plain arrays: through an index of pandas, as pvlib asks by itself, it takes longer than the sun's place.
+    """
+    from pvlib import spa
+
+    utc = moments.tz_convert("UTC")
+    return np.asarray(spa.calculate_deltat(utc.year.to_numpy(), utc.month.to_numpy()), dtype=np.float64)
 
 
 def direction_of(altitude_deg: Any, azimuth_deg: Any) -> npt.NDArray[np.float64]:

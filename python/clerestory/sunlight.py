@@ -11,7 +11,7 @@ import xarray as xr
 from clerestory.errors import ClerestoryError
 from clerestory.rules import not_negative
 from clerestory.site import Site
-from clerestory.sun import sun_position
+from clerestory.sun import sun_position, terrestrial_less_universal_s
 
 LUMINOUS_SOLAR_CONSTANT_LX = 133_100.0
 """Illuminance normal to the sun outside the atmosphere at the mean distance [lx]: 683 lm/W times the extraterrestrial
@@ -36,7 +36,8 @@ def extraterrestrial_illuminance_lx(site: Site, times: Any) -> xr.DataArray:
 
     moments = site.moments(times)
     utc = moments.tz_convert("UTC")
-    distance_au = np.asarray(solarposition.nrel_earthsun_distance(utc, delta_t=None), dtype=np.float64)
+    late_s = terrestrial_less_universal_s(moments)
+    distance_au = np.asarray(solarposition.nrel_earthsun_distance(utc, delta_t=late_s), dtype=np.float64)
     return xr.DataArray(
         LUMINOUS_SOLAR_CONSTANT_LX / distance_au**2,
         dims="time",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 import numpy.typing as npt
 
@@ -42,15 +44,18 @@ def outgoing_cells(block: Block, incident: npt.ArrayLike) -> tuple[list[Floats],
     holds = ((corner[:, :known] <= place) & (place < corner[:, :known] + width[:, None])).all(axis=1)
     turn = 0.0 if block.rank == 4 else float(np.arctan2(point[1], point[0]))
     rotation = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
-    outlines = [
-        square_to_disc(_square(start, side)) @ rotation
-        for start, side in zip(corner[holds, known:], width[holds], strict=True)
-    ]
-    return outlines, value[holds]
+    squares = [_square(start, side) for start, side in zip(corner[holds, known:], width[holds], strict=True)]
+    ends = np.cumsum([len(one) for one in squares])[:-1]
+    return np.split(square_to_disc(np.concatenate(squares)) @ rotation, ends), value[holds]
 
 
 def _square(start: Floats, side: float) -> Floats:
-    steps = np.linspace(0.0, 1.0, max(2, round(24 * side)), endpoint=False)[:, None]
+    return np.asarray(start + side * _unit_square(max(2, round(24 * side))))
+
+
+@lru_cache(maxsize=64)
+def _unit_square(count: int) -> Floats:
+    """Its edges, each in ``count`` steps."""
+    steps = np.linspace(0.0, 1.0, count, endpoint=False)[:, None]
     corners = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]])
-    edges = [corners[k] + steps * (corners[k + 1] - corners[k]) for k in range(4)]
-    return np.asarray(start + side * np.concatenate(edges))
+    return np.concatenate([corners[k] + steps * (corners[k + 1] - corners[k]) for k in range(4)])

@@ -32,9 +32,22 @@ def plain(value: Any) -> Any:
     return value
 
 
+def written(value: Any) -> str:
+    """``value`` as the text of JSON."""
+    try:
+        return json.dumps(value, default=_plain_array, allow_nan=False, separators=(",", ":"))
+    except (TypeError, ValueError):
+        # some number is none and becomes null, or some name is no text: a look at each
+        return json.dumps(plain(value), allow_nan=False, separators=(",", ":"))
+
+
+def _plain_array(value: Any) -> Any:
+    return value.tolist() if isinstance(value, (np.ndarray, np.generic)) else plain(value)
+
+
 def answer(value: Any, status: int = 200) -> Response:
     """``value`` as JSON."""
-    text = json.dumps(plain(value), allow_nan=False, separators=(",", ":"))
+    text = written(value)
     return Response(text, status, media_type="application/json", headers={"cache-control": "no-store"})
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -45,7 +46,7 @@ def discs(bsdf: Bsdf, *, elevation_deg: Any, azimuth_deg: Any, side: Side, band:
         outgoing.append(
             {
                 "word": word,
-                "cells": [_spread(cell) for cell in cells],
+                "cells": _klems_cells(one.outgoing.name) if isinstance(one, KlemsBlock) else _spread_all(cells),
                 "values": values,
                 "share": float(one.hemispherical_at(point)),
             }
@@ -53,7 +54,7 @@ def discs(bsdf: Bsdf, *, elevation_deg: Any, azimuth_deg: Any, side: Side, band:
     return {
         "incident": {
             "word": first,
-            "cells": [_spread(patch_outline(basis, patch)) for patch in range(len(basis))],
+            "cells": _klems_cells(basis.name),
             "values": block.hemispherical_at(basis.centre),
         },
         "picked": int(basis.find(point[0], point[1])),
@@ -86,6 +87,20 @@ def incidence_of(x: Any, y: Any) -> dict[str, float]:
         "elevation_deg": float(np.degrees(np.arcsin(-sy))),
         "azimuth_deg": float(np.degrees(np.arctan2(sx, sz))),
     }
+
+
+@lru_cache(maxsize=8)
+def _klems_cells(name: str) -> list[Any]:
+    """Outlines of the patches of a basis, as they are drawn."""
+    basis = klems_basis(name)
+    return _spread_all([patch_outline(basis, patch) for patch in range(len(basis))])
+
+
+def _spread_all(cells: list[Any]) -> list[Any]:
+    """Outlines as they are drawn."""
+    points = _spread(np.concatenate(cells)).tolist()
+    ends = np.cumsum([len(cell) for cell in cells]).tolist()
+    return [points[end - len(cell) : end] for cell, end in zip(cells, ends, strict=True)]
 
 
 def _spread(xy: np.ndarray[Any, np.dtype[np.float64]]) -> Any:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass
 from typing import Any
@@ -15,7 +14,7 @@ from starlette.responses import Response, StreamingResponse
 from clerestory.bsdf import Bsdf
 from clerestory.panels.writing import described
 from clerestory.studio import room_jobs, year_calls
-from clerestory.studio.answers import answer, plain, refused
+from clerestory.studio.answers import answer, refused, written
 from clerestory.studio.bsdf_shelf import Opened
 from clerestory.studio.fields import Field, Fields, checked, shape_of
 from clerestory.studio.jobs import Job
@@ -151,7 +150,7 @@ async def _events(job: Job) -> AsyncIterator[str]:
     while True:
         version, is_over = job.version, job.is_over
         if version != seen:
-            yield f"data: {json.dumps(plain(job.told()), allow_nan=False, separators=(',', ':'))}\n\n"
+            yield f"data: {written(job.told())}\n\n"
             seen, silent = version, 0.0
             if is_over:
                 return
