@@ -80,6 +80,9 @@ export interface SunTold extends SunPlace {
   sunrise_h: number | null;
   sunset_h: number | null;
   day: SunHour[];
+}
+/** The sun's ways through the year at a site. */
+export interface SunYear {
   seasons: { label: string; points: SunHour[] }[];
   analemmas: { hour: number; points: SunPlace[] }[];
 }

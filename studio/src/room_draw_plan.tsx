@@ -94,7 +94,8 @@ export function DrawPlan({ plane, flat, values, scale, unit, picked, isStale, ha
 export function ColourBar({ scale, unit, wide }: { scale: Scale; unit: string; wide: number }) {
   const at = (value: number) => share(scale, value) * wide;
   // words need room, and the last one has the unit
-  const marks = ticks(scale, wide < 400 ? 4 : 6).reduceRight<number[]>((kept, mark) => (kept.length && at(kept[0]) - at(mark) < (kept.length === 1 ? 50 : 38) ? kept : [mark, ...kept]), []);
+  const half = (mark: number, hasUnit: boolean) => 3.6 * written(mark).length + 4 + (hasUnit ? 4 * unit.length : 0);
+  const marks = ticks(scale, wide < 400 ? 4 : 6).reduceRight<number[]>((kept, mark) => (kept.length && at(kept[0]) - at(mark) < half(kept[0], kept.length === 1) + half(mark, false) ? kept : [mark, ...kept]), []);
   return (
     <g>
       {Array.from({ length: 48 }, (_, k) => (

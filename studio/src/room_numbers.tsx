@@ -54,7 +54,7 @@ export function RoomProgress({ work, target, known }: { work: Doing<RoomWork>; t
   // the error falls with the root of the work
   const share = now ? Math.min(1, (target / Math.max(now.worst_relative_error, 1e-9)) ** 2) : 0;
   return (
-    <div class="progress roomProgress" role="status" data-rounds={now?.rounds ?? 0} data-error={now?.worst_relative_error ?? ""} data-state={work.state}>
+    <div class="progress roomProgress" data-rounds={now?.rounds ?? 0} data-error={now?.worst_relative_error ?? ""} data-state={work.state}>
       {(isBusy || now) && <progress value={now ? (now.converged ? 1 : share) : undefined} max={1} aria-label={words.working} />}
       <span>
         {now && error !== null ? said.round(now.rounds, written(error)) : isBusy ? said.first : ""}

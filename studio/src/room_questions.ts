@@ -2,7 +2,7 @@
 
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { type Answer, type Doing, useAnswer, useJob, useOnce } from "./follow";
-import type { LightPaths, Plane, RoomKinds, RoomLight, RoomScene, RoomWork, SunTold, Tables } from "./room_answers";
+import type { LightPaths, Plane, RoomKinds, RoomLight, RoomScene, RoomWork, SunTold, SunYear, Tables } from "./room_answers";
 import type { RoomState } from "./room_state";
 
 /** Places of each window from which paths are drawn. */
@@ -18,6 +18,7 @@ export interface Asked {
   hasSite: boolean;
   scene: Answer<RoomScene>;
   sun: Answer<SunTold>;
+  year: Answer<SunYear>;
   paths: Answer<LightPaths>;
   work: Doing<RoomWork>;
   sunWork: Doing<RoomWork>;
@@ -45,6 +46,8 @@ export function useRoom(state: RoomState): Asked {
   const site = scene.value?.site ?? null;
   const when = { day_of_year: state.day, hour };
   const sun = useAnswer<SunTold>("/api/room/sun", site && { site, ...when });
+  // the ways through the year are those of the site, whatever the day
+  const year = useAnswer<SunYear>("/api/room/sun", site && { site, day_of_year: 172, hour: 12, year: true });
   const paths = useAnswer<LightPaths>("/api/room/paths", room && site && { room, variant, ...when, density: PATHS });
   const names = scene.value?.plane_names ?? [];
   const plane = names.includes(state.plane) ? state.plane : (names[0] ?? "");
@@ -65,5 +68,5 @@ export function useRoom(state: RoomState): Asked {
   useEffect(() => {
     if (isLost && (work.state === "done" || work.state === "failed")) work.start();
   }, [isLost]);
-  return { kinds, file, tables, room, hasSite, scene: isPath && !room ? read : scene, sun, paths, work, sunWork, light, plane: planes.find((one) => one.name === plane) ?? null };
+  return { kinds, file, tables, room, hasSite, scene: isPath && !room ? read : scene, sun, year, paths, work, sunWork, light, plane: planes.find((one) => one.name === plane) ?? null };
 }

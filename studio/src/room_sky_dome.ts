@@ -1,11 +1,11 @@
 // The ground with its compass, the paths of the sun over the site, and the sun.
 
 import { CircleGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, SphereGeometry } from "three";
-import type { SunHour, SunTold, Vec } from "./room_answers";
+import type { SunHour, SunTold, SunYear, Vec } from "./room_answers";
 import type { Look } from "./room_colours";
 import { joined, label, segments } from "./room_lines";
 import type { Dome } from "./room_eye";
-import { plus } from "./room_space";
+import { long, minus, plus } from "./room_space";
 
 const NAMED_DEG = 38;
 
@@ -34,17 +34,19 @@ export function drawGround(dome: Dome, look: Look, words: DomeWords): Group {
 }
 
 /** Paths of the day, of the solstices and equinoxes, and of each hour through the year, above the horizon. */
-export function drawSunPaths(sun: SunTold, dome: Dome, look: Look, words: DomeWords): Group {
+export function drawSunPaths(sun: SunTold, year: SunYear, dome: Dome, look: Look, words: DomeWords): Group {
   const group = new Group();
   const on = (direction: Vec): Vec => plus(dome.centre, direction, dome.radius);
   const isUp = (pair: { altitude_deg: number }[]) => pair.every((one) => one.altitude_deg > -0.9);
+  // where the clock is changed a loop of an hour is open
+  const isNear = (a: { direction: Vec }, b: { direction: Vec }) => long(minus(a.direction, b.direction)) < 0.12;
   const arc = (places: { altitude_deg: number; direction: Vec }[]): [Vec, Vec][] =>
-    places.slice(1).flatMap((to, k): [Vec, Vec][] => (isUp([places[k], to]) ? [[on(places[k].direction), on(to.direction)]] : []));
+    places.slice(1).flatMap((to, k): [Vec, Vec][] => (isUp([places[k], to]) && isNear(places[k], to) ? [[on(places[k].direction), on(to.direction)]] : []));
   const put = (pairs: [Vec, Vec][], width: number, colour: string, opacity: number) => pairs.length && group.add(segments(pairs, { colour, width, opacity }));
-  put(sun.analemmas.flatMap((one) => arc(one.points)), 1, look.hair, 0.45);
-  const others = sun.seasons.filter((one) => !isSame(one.points, sun.day));
+  put(year.analemmas.flatMap((one) => arc(one.points)), 1, look.hair, 0.45);
+  const others = year.seasons.filter((one) => !isSame(one.points, sun.day));
   put(others.flatMap((one) => arc(one.points)), 1.2, look.faint, 0.6);
-  for (const season of sun.seasons) {
+  for (const season of year.seasons) {
     const there = named(season.points);
     if (there) group.add(label(season.label, plus(dome.centre, there.direction, 1.05 * dome.radius), look.faint, look.halo, 12, 500));
   }

@@ -4,17 +4,20 @@ import { Color, FrontSide, Group, type MeshBasicMaterial } from "three";
 import type { RoomScene, RoomSurface, RoomWindow, Vec } from "./room_answers";
 import { glassColour, isCut, type Look } from "./room_colours";
 import { fan, faces, joined, segments } from "./room_lines";
-import { dot, middle, minus, normalOf, plus, unit } from "./room_space";
+import { cross, dot, long, middle, minus, normalOf, plus, unit } from "./room_space";
 
 /** Thickest wall through which a window is taken to belong to a room's side [m]. */
 const WALL_M = 0.6;
+/** Share of the largest surface's area from which on a surface is taken to be a side of the room, and no thing in it. */
+const LARGE = 0.15;
 /** Distance of the lines that hint at cuts or ridges, which are finer than a picture can show [m]. */
 const HATCH_M = 0.06;
 
 export function drawRoom(scene: RoomScene, look: Look): Group {
   const group = new Group();
   const [low, high] = scene.inside_m;
-  const inner = middle([low, high]);
+  const seen = scene.planes.flatMap((one) => one.points_m);
+  const most = Math.max(...scene.surfaces.map(areaOf));
   for (const surface of scene.surfaces) {
     if (surface.kind === "window") continue;
     const isOut = scene.windows.some((one) => surface.outlines.flat().every((corner) => dot(minus(corner, one.outline_m[0]), one.normal) < 0.02));
@@ -23,21 +26,24 @@ export function drawRoom(scene: RoomScene, look: Look): Group {
       group.add(segments(surface.outlines.flatMap((loop) => joined(loop, true)), { colour: look.outside, width: 1, opacity: 0.7 }));
       continue;
     }
-    group.add(drawSurface(surface, look, inner, [low, high]));
+    group.add(drawSurface(surface, look, seen.length ? seen : [middle([low, high])], [low, high], areaOf(surface) >= LARGE * most));
   }
   for (const window of scene.windows) group.add(drawWindow(window, look));
   return group;
 }
 
 /** A side of the room is seen from within alone, so that one always looks in; a thing in the room from both sides. */
-function drawSurface(surface: RoomSurface, look: Look, inner: Vec, [low, high]: [Vec, Vec]): Group {
+function drawSurface(surface: RoomSurface, look: Look, seen: Vec[], [low, high]: [Vec, Vec], isLarge: boolean): Group {
   const group = new Group();
   const shade = new Color(look.walls[0]).lerp(new Color(look.walls[1]), Math.min((surface.diffuse ?? 0.5) + (surface.specular ?? 0), 0.9) / 0.9);
   const corners = surface.outlines.flat();
   const normal = normalOf(surface.outlines[0] ?? corners);
-  const inwards = dot(minus(inner, corners[0]), normal) > 0 ? normal : plus([0, 0, 0], normal, -1);
+  // the room is where most sensors are near
+  const centre = middle(corners);
+  const side = seen.reduce((sum, point) => sum + dot(minus(point, centre), normal) / Math.max(long(minus(point, centre)), 0.1) ** 3, 0);
+  const inwards = side > 0 ? normal : plus([0, 0, 0], normal, -1);
   const reach = Math.min(...[low, high].flatMap((x) => [low, high].flatMap((y) => [low, high].map((z) => dot(minus([x[0], y[1], z[2]], corners[0]), inwards)))));
-  const isSide = reach > -WALL_M;
+  const isSide = isLarge || reach > -WALL_M;
   // light from one side makes edges plain
   const tone = 1 - 0.035 * (1 + dot(inwards, unit([0.3, 0.9, -0.4])));
   shade.multiplyScalar(tone);
@@ -53,6 +59,15 @@ function drawSurface(surface: RoomSurface, look: Look, inner: Vec, [low, high]: 
   group.add(mesh);
   group.add(segments(surface.outlines.flatMap((loop) => joined(loop, true)), { colour: look.edge, width: isSide ? 1.5 : 1, opacity: isSide ? 0.9 : 0.6 }));
   return group;
+}
+
+/** Of its first outline, or of its triangles [m²]. */
+function areaOf(surface: RoomSurface): number {
+  if (surface.kind === "window") return 0;
+  return surface.triangles.reduce((sum, one) => {
+    const [a, b, c] = [0, 3, 6].map((k) => one.slice(k, k + 3) as Vec);
+    return sum + long(cross(minus(b, a), minus(c, a))) / 2;
+  }, 0);
 }
 
 function drawWindow(window: RoomWindow, look: Look): Group {

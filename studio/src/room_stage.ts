@@ -1,7 +1,7 @@
 // The room's picture in WebGL: drawn again only when something has changed.
 
 import { Group, type Mesh, OrthographicCamera, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
-import type { LightPaths, RoomScene, RoomWindow, SunTold, Vec } from "./room_answers";
+import type { LightPaths, RoomScene, RoomWindow, SunTold, SunYear, Vec } from "./room_answers";
 import type { Look } from "./room_colours";
 import { type Dome, domeOf, type Eye, HALF_VIEW_DEG, place } from "./room_eye";
 import { drawField, type Field } from "./room_field";
@@ -18,6 +18,7 @@ export interface Shown extends LightShown {
 export interface Staged {
   scene: RoomScene | null;
   sun: SunTold | null;
+  year: SunYear | null;
   light: LightPaths | null;
   field: Field | null;
   shown: Shown;
@@ -66,8 +67,8 @@ export class Stage {
     this.part("ground", [scene, look], () => dome && drawGround(dome, look, words));
     this.part("room", [scene, look], () => scene && drawRoom(scene, look));
     const hasDome = shown.sunPath && !staged.eye.isFlat;
-    const days = sun && hasDome ? JSON.stringify([sun.day, sun.seasons.map((one) => one.points[0])]) : "";
-    this.part("paths", [scene, look, days], () => dome && sun && hasDome && drawSunPaths(sun, dome, look, words));
+    const day = sun && hasDome ? JSON.stringify(sun.day) : "";
+    this.part("paths", [scene, look, day, staged.year], () => dome && sun && hasDome && drawSunPaths(sun, staged.year ?? { seasons: [], analemmas: [] }, dome, look, words));
     this.part("sun", [scene, look, sun, hasDome], () => dome && sun && hasDome && drawSun(sun, dome, look, aim(scene, sun)));
     this.part("light", [light, scene, look, JSON.stringify(shown)], () => light && scene && drawLight(light, scene.windows, shown, look));
     const isFieldShown = shown.field && field && field.values.length === field.plane.points_m.length;

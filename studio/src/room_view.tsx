@@ -49,6 +49,7 @@ export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
   const staged = {
     scene: scene.value,
     sun: sun.value,
+    year: asked.year.value,
     light: sun.value?.is_up ? paths.value : null,
     field,
     shown: { direct: room.straight, redirected: room.redirected, reflected: room.reflected, beams: room.beams, patches: room.patches, sunPath: room.sunPath, field: room.field },
@@ -155,6 +156,9 @@ export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
           <RoomTime day={room.day} minute={room.minute} sun={sun.value} />
           <RoomLegend room={room} isDark={isDark} onChange={put} />
         </section>
+        <p class="unseen" role="status">
+          {work.state === "done" && !isStale ? `${when}, ${sunWords}. ${numbers}` : ""}
+        </p>
         <RoomNumbers told={told} unit={unit} light={light.value} isStale={isStale} />
         <RoomProgress work={work} target={room.error} known={faults} />
         {[...new Set([...(light.value?.notes ?? []), ...(paths.value?.warnings ?? [])])].map((note) => (
