@@ -101,6 +101,7 @@ function titleOf(one: Listed): string {
 function saidOf(state: string, now: { variant: string; what: string; seconds_left: number | null } | null): string {
   if (state === "waiting") return words.waiting;
   if (state === "cancelled") return words.stopped;
+  if (state === "failed" && now) return words.unfinished;
   if (state === "done") return words.done;
   if (state !== "running" || !now) return "";
   if (now.what === "report") return words.report;

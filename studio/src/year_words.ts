@@ -17,6 +17,7 @@ export const yearWords = {
   start: "Run",
   stop: "Stop",
   stopped: "stopped; finished pieces are kept, and running it again goes on",
+  unfinished: "not finished; finished pieces are kept, and running it again goes on",
   done: "done",
   waiting: "waiting for a process",
   report: "writing report and files",

@@ -106,6 +106,17 @@ def test_plans_hold_the_values_of_the_sensors_where_they_are(client: TestClient,
     assert plan["sensors"].index(nearest) // 3 == 0
 
 
+def test_a_case_of_a_sweep_is_a_year_of_one_variant(client: TestClient, year: xr.Dataset, tmp_path: Path) -> None:
+    path = tmp_path / "case.nc"
+    year.isel(variant=1).drop_vars(["variant", "glazings"]).assign_attrs(variant="panel above").to_netcdf(path)
+    told = client.post("/api/result?name=case.nc", content=path.read_bytes()).json()
+    assert (told["kind"], told["variants"]) == ("year", ["panel above"])
+    plan = asked(client, "plan", key=told["key"], metric="daylight_autonomy")
+    values = year["daylight_autonomy"].values[1]
+    np.testing.assert_allclose(plan["variants"][0]["values"], values[plan["sensors"]])
+    assert asked(client, "carpet", key=told["key"])["variants"][0]["label"] == "panel above"
+
+
 def test_a_difference_and_a_section_are_those_of_the_plans(client: TestClient) -> None:
     told = opened(client, YEAR)
     look = {"key": told["key"], "metric": "daylight_autonomy"}

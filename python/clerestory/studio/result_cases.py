@@ -146,7 +146,8 @@ def _label(name: str, one: xr.DataArray) -> str:
     for ending, unit in _ENDINGS.items():
         if figure is None and bare.endswith(ending) and unit:
             text = bare.removesuffix(ending).replace("_", " ")
-    return text[:1].upper() + text[1:] + (f" ({rest}" if rest else "")
+    shown = text if figure else text[:1].upper() + text[1:]
+    return shown + (f" ({rest}" if rest else "")
 
 
 def _unit(name: str, one: xr.DataArray) -> str:
