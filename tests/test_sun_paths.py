@@ -1,7 +1,9 @@
 """The sun's way through windows: laws that hold for any room, and places that trigonometry knows."""
 
+import re
 import warnings
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -107,6 +109,17 @@ ROOMS = {
         wall_thickness_m=0.1,
         obstructions=[Louvres(bottom_m=1.5, top_m=2.5, count=6, depth_m=0.12), Overhang(depth_m=0.5, height_m=2.8)],
     ),
+    "mirror": room(
+        Open(),
+        obstructions=[
+            LightShelf(
+                height_m=2.0,
+                outside_m=0.3,
+                inside_m=0.8,
+                material=Material(diffuse_reflectance=0.1, specular_reflectance=0.8),
+            )
+        ],
+    ),
     "furnished": replace(
         room(Glass(transmittance=0.88)),
         meshes=(
@@ -171,12 +184,14 @@ def test_the_light_of_a_beam_lands_whole(name):
     for beam in range(found.sizes["beam"]):
         rows = found["patch_beam"].values == beam
         flux = float((found["patch_area_m2"].values * found["patch_strength"].values)[rows].sum())
+        if str(found["beam_source"].values[beam]) not in names or "reflected" in found["beam_kind"].values[beam]:
+            continue
         window = one.windows[names.index(str(found["beam_source"].values[beam]))]
         ring = np.array(window.outline_m)
         area = 0.5 * np.linalg.norm(np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0))
         share = float(found["sunlit_share"].sel(window=found["beam_window"].values[beam]))
         most = float(found["beam_power"][beam]) * area * share * abs(_cos(ring, towards))
-        if name == "tilted":
+        if name in ("tilted", "mirror"):
             assert flux < most + 1e-9
         else:
             assert flux == pytest.approx(most, rel=1e-6)
@@ -197,7 +212,7 @@ def test_power_along_a_path_never_grows_and_begins_with_the_lobes(name):
         assert np.isnan(power[row, n:]).all()
         assert power[row, 0] == power[row, 1] == 1.0
     assert set(found["event"].values[:, 0]) == {"sun"}
-    assert set(found["event"].values[:, 1]) == {"glazing"}
+    assert set(found["event"].values[:, 1]) == ({"glazing", "mirror"} if name == "mirror" else {"glazing"})
 
 
 def test_what_enters_is_the_sum_of_the_lobes():
@@ -372,6 +387,19 @@ def test_thousands_of_slats_are_looked_at_cell_by_cell():
 def test_wrong_values_are_told(values, message):
     with pytest.raises(ClerestoryError, match=message):
         sun_paths(room(Open()), **{"altitude_deg": 40.0, "azimuth_deg": 180.0, **values})
+
+
+def test_the_example_of_the_how_to_runs(capsys):
+    """The room of docs/how-to/room.md and what it says of its sunlight."""
+    text = (Path(__file__).parents[1] / "docs" / "how-to" / "room.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    names = {}
+    for block in (blocks[0], next(one for one in blocks if "import sun_paths" in one)):
+        exec(compile(block, "room.md", "exec"), names)
+    said = capsys.readouterr().out
+    assert "ceiling: " in said
+    assert "redirected" in said
+    assert names["first"].sizes["vertex"] >= 3
 
 
 def test_the_same_room_gives_the_same_paths():

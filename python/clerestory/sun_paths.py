@@ -11,9 +11,9 @@ import xarray as xr
 
 from clerestory.errors import ClerestoryError
 from clerestory.provenance import provenance
-from clerestory.room.beams import Lit, Sunlight, beams_of, sun_on
+from clerestory.room.beams import Beam, Lit, Sunlight, beams_of, mirrored_outside, sun_on
 from clerestory.room.convex import area
-from clerestory.room.light_walk import GLAZING, SUN, Rays, Walk, joined
+from clerestory.room.light_walk import GLAZING, MIRROR, SUN, Rays, Walk, joined
 from clerestory.room.scene import Room
 from clerestory.room.sensors import inside_outline
 from clerestory.room.sunlit import facets_of
@@ -59,8 +59,8 @@ def sun_paths(
         ``""``; `entering` [0..1], the share of the light on it that goes on into the room.
 
         Dims ("beam",): each exact direction in which light leaves a window or a mirror: `beam_source`, `beam_window`
-        (by which the light came in), `beam_direction` (beam, axis), `beam_power` (share of the light on that window),
-        `beam_strength` (illuminance across the beam over that normal to the sun), `beam_total_reflections`,
+        (by which the light came in), `beam_direction` (beam, axis), `beam_power` (share of the light on that window, or
+        on the mirror outside that threw it there), `beam_strength` (illuminance across the beam over that normal to the sun), `beam_total_reflections`,
         `beam_kind`: ``"direct"``, ``"redirected"`` by a total reflection, or ``"reflected"`` by a mirror.
 
         Dims ("patch",): convex pieces of surfaces that a beam lights: `patch_beam`, `patch_surface`,
@@ -71,8 +71,8 @@ def sun_paths(
         Dims ("path",): `position_m` (path, vertex, axis), padded with NaN, from outside to the last place; `event`
         (path, vertex), what is there: ``"sun"``, ``"glazing"``, ``"mirror"``, ``"diffuse"``, ``"interface"`` or
         ``"sky"``; `surface` (path, vertex); `power` (path, vertex), what arrives there as a share of the light that
-        fell on the window where the path begins; `vertices`, how many there are; `path_window`; `path_kind` as of
-        beams.
+        fell on the window or mirror where the path begins; `vertices`, how many there are; `path_window`; `path_kind`
+        as of beams.
 
     Raises
     ------
@@ -87,8 +87,9 @@ def sun_paths(
     Notes
     -----
     Beams are those of `sun_coefficients`, followed forwards for the middle of the sun's disc (theory/room.md, eqs. 12
-    and 16): a sensor lies in a patch if the sun's middle is seen from it by way of the windows. Unlike there, mirrors
-    are followed, and windows that light meets from within. Light that a window spreads, as a `Bsdf` does, has paths in
+    and 16): a sensor lies in a patch if the sun's middle is seen from it by way of windows and mirrors. Patches are
+    polygons cut by those that hide them, or among more than 150 facets in the way of a beam the cells of a grid of
+    rays. Light that a window spreads, as a `Bsdf` does, has paths in
     directions drawn in proportion to power, and no patches. Paths that reach a diffuse surface go on in one direction
     each, spread evenly by the cosine (theory/room.md, eq. 17), and are drawn no further than the next window.
     """
@@ -115,6 +116,8 @@ def sun_paths(
         if one.pieces:
             rays = _start(walk, one, points, towards, beyond_m)
             starts += [begun.at(begun.direction @ one.window.axes[2] > 0.0) for begun in walk.through(rays, one.window)]
+    thrown = mirrored_outside(around, facets, towards, least_power)
+    starts += [begun for beam in thrown if len(begun := _start_at_mirror(walk, beam, points, towards, beyond_m))]
     if starts:
         walk.follow(joined(starts))
     return xr.Dataset(
@@ -143,7 +146,12 @@ def _start(walk: Walk, seen: Sunlight, points: int, towards: Array, beyond_m: fl
             break
     if count > points > 1:
         places = places[np.linspace(0, count - 1, points).round().astype(int)]
-        count = len(places)
+    return _from_sun(walk, places, towards, beyond_m, GLAZING, window.surface)
+
+
+def _from_sun(walk: Walk, places: Array, towards: Array, beyond_m: float, event: str, surface: int) -> Rays:
+    """Light that comes from the sun to places of a surface."""
+    count = len(places)
     rays = Rays(
         origin=places,
         direction=np.tile(-towards, (count, 1)),
@@ -154,20 +162,44 @@ def _start(walk: Walk, seen: Sunlight, points: int, towards: Array, beyond_m: fl
         bounces=np.zeros(count, dtype=np.int64),
     )
     rays = rays.at(slice(None), vertex=walk.add(places + beyond_m * towards, SUN, rays, np.full(count, -1)))
-    return rays.at(slice(None), vertex=walk.add(places, GLAZING, rays, np.full(count, window.surface)))
+    return rays.at(slice(None), vertex=walk.add(places, event, rays, np.full(count, surface)))
+
+
+def _start_at_mirror(walk: Walk, beam: Beam, points: int, towards: Array, beyond_m: float) -> Rays:
+    """Light at places of a mirror outside from which it goes to a window."""
+    around = walk.around
+    laid = [
+        beam.plane.space([(float(x), float(y)) for x, y in _grid(np.array(piece), points)]) for piece in beam.pieces
+    ]
+    places = np.concatenate(laid)
+    met = around.meets(places, np.tile(beam.direction, (len(places), 1)))[1]
+    places = places[around.is_window[met] & (met >= 0)]
+    if len(places) > points:
+        places = places[np.linspace(0, len(places) - 1, points).round().astype(int)]
+    rays = _from_sun(walk, places, towards, beyond_m, MIRROR, beam.source)
+    count = len(places)
+    return rays.at(
+        slice(None),
+        direction=np.tile(beam.direction, (count, 1)),
+        power=np.full(count, beam.power),
+        mirrored=np.ones(count, dtype=bool),
+    )
 
 
 def _laid_over(window: WindowFrame, count: int) -> Array:
-    """About so many places: the middles of the squares of a grid over the window."""
+    """About so many places over a window."""
     flat = (window.outline - window.corner) @ window.axes[:2].T
+    return np.asarray(window.corner + _grid(flat, count) @ window.axes[:2])
+
+
+def _grid(flat: Array, count: int) -> Array:
+    """About so many places in a polygon of a plane: the middles of the squares of a grid."""
     low, size = flat.min(axis=0), np.ptp(flat, axis=0)
-    # the grid is that of the box about the window
-    window_area = abs(area([(float(x), float(y)) for x, y in flat]))
-    step = float(np.sqrt(window_area / count))
+    step = float(np.sqrt(abs(area([(float(x), float(y)) for x, y in flat])) / count))
     numbers = np.maximum(1, np.round(size / step)).astype(int)
     x, y = ((np.arange(n) + 0.5) / n * length + start for n, length, start in zip(numbers, size, low, strict=True))
     grid = np.stack(np.meshgrid(x, y, indexing="xy"), axis=-1).reshape(-1, 2)
-    return np.asarray(window.corner + grid[inside_outline(grid, flat)] @ window.axes[:2])
+    return np.asarray(grid[inside_outline(grid, flat)])
 
 
 def _windows(around: Surroundings, seen: Sequence[Sunlight], towards: Array) -> dict[str, Any]:
@@ -232,7 +264,9 @@ def _paths(around: Surroundings, walk: Walk) -> dict[str, Any]:
     index = walk.chains()
     there = index >= 0
     last = np.maximum.reduce(index, axis=1, initial=-1)
-    first = index[:, 1] if index.shape[1] > 1 else np.empty(0, dtype=np.int64)
+    # a path comes in by the first window that it meets
+    entry = np.argmax((walk.event[index] == GLAZING) & there, axis=1) if index.size else np.empty(0, dtype=np.int64)
+    first = index[np.arange(len(index)), entry]
     names = np.array([*around.names, ""], dtype=object)
     steps = ("path", "vertex")
     return {

@@ -16,6 +16,8 @@ from clerestory.room.surroundings import Array, Surroundings, WindowFrame
 _MOST_STEPS, _MOST_BEAMS = 6, 400
 #: Facets in the way of a beam, beyond which it is looked at cell by cell.
 _MOST_SHADES = 150
+#: Flat pieces of mirrors outside that the sun is followed from, the largest first.
+_MOST_MIRRORS = 64
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,7 +29,7 @@ class Beam:
     source : int
         Surface that it leaves, a window or a mirror.
     window : int
-        Surface of the window that the sun came to first.
+        Surface of the window that the light came in by, -1 while it is outside.
     direction : array, shape (3,)
     power : float
         Share of the light that fell on the window.
@@ -114,13 +116,41 @@ def beams_of(around: Surroundings, facets: Facets, seen: Sequence[Sunlight], tow
         # what the first window turns back stays outside
         if beam.direction @ one.window.axes[2] > 0.0
     ]
+    waiting += [(beam, 1) for beam in mirrored_outside(around, facets, towards, least_power)]
     while waiting and len(lit.beams) < _MOST_BEAMS:
         beam, steps = waiting.pop(0)
-        lit.beams.append(beam)
+        if beam.window >= 0:
+            lit.beams.append(beam)
         following = _land(around, facets, beam, len(lit.beams) - 1, lit, least_power)
         if steps < _MOST_STEPS:
             waiting += [(one, steps + 1) for one in following]
     return lit
+
+
+def mirrored_outside(around: Surroundings, facets: Facets, towards: Array, least_power: float) -> list[Beam]:
+    """What mirrors that see the sun by way of nothing, as a light shelf outside, throw on."""
+    if towards[2] <= 0.0:
+        return []
+    rows = np.flatnonzero(around.specular[facets.surface] >= least_power)
+    if len(rows) > _MOST_MIRRORS:
+        sizes = [_size(facets.corners[row]) for row in rows]
+        rows = rows[np.argsort(sizes)[::-1][:_MOST_MIRRORS]]
+    found = []
+    for row in rows:
+        corners, surface = facets.corners[row, : facets.sides[row]], int(facets.surface[row])
+        normal = _normal(corners)
+        cos = float(normal @ towards)
+        if abs(cos) < 1e-6:
+            continue
+        plane = Plane.of(corners, normal * np.sign(cos))
+        pieces = [anticlockwise(plane.flat(corners))]
+        shades = shades_of(facets, plane, towards, pieces, most=_MOST_SHADES)
+        pieces = sky_cells(around, plane, towards, pieces)[0] if shades is None else unhidden(pieces, shades)
+        share = float(around.specular[surface])
+        if pieces:
+            way = 2.0 * cos * normal - towards
+            found.append(Beam(surface, -1, way, share, share, 0, True, plane, pieces))
+    return found
 
 
 def _through(
@@ -134,7 +164,7 @@ def _through(
         if power * share >= least_power and cos_out > 1e-6:
             yield Beam(
                 window.surface,
-                window.surface if before is None else before.window,
+                before.window if before is not None and before.window >= 0 else window.surface,
                 direction,
                 power * share,
                 strength * share * cos_in / cos_out,
@@ -156,7 +186,8 @@ def _land(around: Surroundings, facets: Facets, beam: Beam, index: int, lit: Lit
         both = [one for one in both if area(one) > 1e-10]
         if around.is_window[shade.surface] or around.specular[shade.surface] > 0.0:
             onward.setdefault(shade.surface, []).extend((shade, one) for one in both)
-        if around.is_window[shade.surface] or around.is_interface[shade.surface]:
+        # what lies outside is lit by the sun itself, and that is not asked for
+        if beam.window < 0 or around.is_window[shade.surface] or around.is_interface[shade.surface]:
             continue
         for one in both:
             corners = landed(shade, beam.plane, beam.direction, one)
