@@ -60,7 +60,8 @@ def sun_paths(
 
         Dims ("beam",): each exact direction in which light leaves a window or a mirror: `beam_source`, `beam_window`
         (by which the light came in), `beam_direction` (beam, axis), `beam_power` (share of the light on that window, or
-        on the mirror outside that threw it there), `beam_strength` (illuminance across the beam over that normal to the sun), `beam_total_reflections`,
+        on the mirror outside that threw it there), `beam_strength` (illuminance across the beam over that normal to the
+        sun), `beam_total_reflections`,
         `beam_kind`: ``"direct"``, ``"redirected"`` by a total reflection, or ``"reflected"`` by a mirror.
 
         Dims ("patch",): convex pieces of surfaces that a beam lights: `patch_beam`, `patch_surface`,
