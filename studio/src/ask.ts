@@ -19,6 +19,10 @@ export async function askText(path: string, body: unknown): Promise<string> {
   return (await asked(path, { method: "POST", body: JSON.stringify(body), headers: { "content-type": "application/json" } })).text();
 }
 
+export async function askBlob(path: string, body: unknown): Promise<Blob> {
+  return (await asked(path, { method: "POST", body: JSON.stringify(body), headers: { "content-type": "application/json" } })).blob();
+}
+
 export async function send<T>(path: string, file: Blob): Promise<T> {
   return (await asked(path, { method: "POST", body: file })).json();
 }
@@ -47,7 +51,7 @@ export class Channel<T> {
   private isOpen = true;
 
   constructor(
-    private readonly got: (answer: T) => void,
+    private readonly got: (answer: T, body: unknown) => void,
     private readonly failed: (fault: Refused) => void,
   ) {}
 
@@ -68,7 +72,7 @@ export class Channel<T> {
       this.next = null;
       try {
         const answer = await ask<T>(path, body);
-        if (this.isOpen) this.got(answer);
+        if (this.isOpen) this.got(answer, body);
       } catch (fault) {
         if (this.isOpen) this.failed(fault as Refused);
         // a server that is gone may come back: the same question is asked again unless a newer one has come

@@ -6,23 +6,24 @@ import { HUES } from "./colours";
 const DECADES = 4;
 const LINES: Record<string, string> = { Transmitted: HUES.transmittance, Reflected: HUES.reflectance };
 
-export function DrawCut({ cut, isFront, outside, room, unit, label }: { cut: Cut; isFront: boolean; outside: string; room: string; unit: string; label: string }) {
+export function DrawCut({ cut, isFront, isLogarithmic, outside, room, unit, label }: { cut: Cut; isFront: boolean; isLogarithmic: boolean; outside: string; room: string; unit: string; label: string }) {
   const [size, radius] = [420, 165];
   const centre = size / 2;
   const most = Math.max(...cut.curves.flatMap((curve) => curve.values), 1e-9);
   const outer = Math.ceil(Math.log10(most) * 2) / 2;
+  const whole = rounded(most);
   const point = (deg: number, far: number, isRoom: boolean) => {
     const e = (deg * Math.PI) / 180;
     return `${(centre + (isRoom ? 1 : -1) * radius * far * Math.cos(e)).toFixed(1)} ${(centre - radius * far * Math.sin(e)).toFixed(1)}`;
   };
-  const far = (value: number) => Math.max(0, 1 + (Math.log10(Math.max(value, 1e-30)) - outer) / DECADES);
+  const far = (value: number) => (isLogarithmic ? Math.max(0, 1 + (Math.log10(Math.max(value, 1e-30)) - outer) / DECADES) : value / whole);
   return (
     <svg class="drawing cut" viewBox={`0 0 ${size} ${size}`} role="img" aria-label={label}>
       {[1, 2, 3, 4].map((k) => (
         <g key={k}>
           <circle class="ringLine" cx={centre} cy={centre} r={(radius * k) / DECADES} />
           <text class="small faint" x={centre + 4} y={centre - (radius * k) / DECADES - 4}>
-            {Number((10 ** (outer - DECADES + k)).toPrecision(1))}
+            {Number((isLogarithmic ? 10 ** (outer - DECADES + k) : (whole * k) / DECADES).toPrecision(2))}
           </text>
         </g>
       ))}
@@ -55,4 +56,10 @@ export function DrawCut({ cut, isFront, outside, room, unit, label }: { cut: Cut
       ))}
     </svg>
   );
+}
+
+/** A round number that is no less. */
+function rounded(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * ([1, 2, 4, 8, 10].find((step) => step * power >= value) ?? 10);
 }

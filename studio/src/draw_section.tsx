@@ -7,6 +7,8 @@ import { ofBeam } from "./colours";
 interface Props {
   section: Section | null;
   elevation: number;
+  azimuth: number;
+  side: string;
   isDark: boolean;
   isStale: boolean;
   label: string;
@@ -20,7 +22,7 @@ const WIDE = 640;
 const HIGH = 460;
 const FOOT = 34;
 
-export function DrawSection({ section, elevation, isDark, isStale, label, sunLabel, outside, room, onSun }: Props) {
+export function DrawSection({ section, elevation, azimuth, side, isDark, isStale, label, sunLabel, outside, room, onSun }: Props) {
   const drawing = useRef<SVGSVGElement>(null);
   if (!section) return <svg class="drawing" viewBox={`0 0 ${WIDE} ${HIGH}`} role="img" aria-label={label} />;
   const scale = (HIGH - FOOT) / (section.high_mm - section.low_mm);
@@ -32,7 +34,9 @@ export function DrawSection({ section, elevation, isDark, isStale, label, sunLab
   const order = [...strips].sort((one, other) => one.power - other.power);
   const first = section.strips[0];
   const meets = first ? px([0.5 * (first.corners[2][0] + first.corners[3][0]), 0.5 * (first.corners[2][1] + first.corners[3][1])]) : ([WIDE / 2, HIGH / 2] as Point);
-  const sun = sunAt(meets, elevation);
+  const way = side === "back" ? -1 : 1;
+  const slope = inSection(elevation, azimuth);
+  const sun = sunAt(meets, slope, way);
   const clip = `clip-${Math.round(section.pitch_mm * 1e4)}-${Math.round(section.back_mm * 1e4)}`;
 
   const drag = (event: PointerEvent) => {
@@ -42,7 +46,7 @@ export function DrawSection({ section, elevation, isDark, isStale, label, sunLab
     const factor = Math.min(box.width / WIDE, box.height / HIGH);
     const x = (event.clientX - box.left - (box.width - WIDE * factor) / 2) / factor;
     const y = (event.clientY - box.top - (box.height - HIGH * factor) / 2) / factor;
-    onSun((Math.atan2(meets[1] - y, Math.max(meets[0] - x, 1)) * 180) / Math.PI);
+    onSun(fromSection((Math.atan2(meets[1] - y, Math.max(way * (meets[0] - x), 1)) * 180) / Math.PI, azimuth));
     (event.currentTarget as Element).setPointerCapture(event.pointerId);
   };
   const key = (event: KeyboardEvent) => {
@@ -72,16 +76,16 @@ export function DrawSection({ section, elevation, isDark, isStale, label, sunLab
         {section.films.map((one, k) => (
           <path key={k} class="film" d={path(one, false)} />
         ))}
-        {labels(section, px).map(({ at, text }, k) => (
+        {labels(section, px, sun).map(({ at, text }, k) => (
           <text key={k} class="plate" x={at[0]} y={at[1]} text-anchor="middle" dominant-baseline="central">
             {text}
           </text>
         ))}
       </g>
-      <text class="faint" x={8} y={16}>
+      <text class="plate small" x={8} y={16}>
         {outside}
       </text>
-      <text class="faint" x={WIDE - 8} y={16} text-anchor="end">
+      <text class="plate small" x={WIDE - 8} y={16} text-anchor="end">
         {room}
       </text>
       <path class="measure" d={`M${left} ${foot}H${right}M${left} ${foot - 4}v8M${right} ${foot - 4}v8`} />
@@ -107,7 +111,7 @@ export function DrawSection({ section, elevation, isDark, isStale, label, sunLab
       >
         <circle class="halo" cx={sun[0]} cy={sun[1]} r={24} />
         <circle class="disc" cx={sun[0]} cy={sun[1]} r={13} />
-        <text class="small" x={sun[0]} y={sun[1] + (elevation > 0 ? 36 : -28)} text-anchor="middle">
+        <text class="plate small" x={sun[0]} y={sun[1] + (slope > 0 ? 36 : -28)} text-anchor="middle">
           {elevation.toFixed(1)}°
         </text>
       </g>
@@ -115,13 +119,19 @@ export function DrawSection({ section, elevation, isDark, isStale, label, sunLab
   );
 }
 
+const RAD = Math.PI / 180;
+
+/** The angle at which light of an elevation and azimuth is seen in the section, and back. */
+const inSection = (elevation: number, azimuth: number): number => Math.atan2(Math.tan(elevation * RAD), Math.cos(azimuth * RAD)) / RAD;
+const fromSection = (slope: number, azimuth: number): number => Math.atan(Math.tan(slope * RAD) * Math.cos(azimuth * RAD)) / RAD;
+
 /** On the way that the light comes, as far out as the drawing has room. */
-function sunAt(meets: Point, elevation: number): Point {
-  const e = (elevation * Math.PI) / 180;
-  const across = (meets[0] - 34) / Math.max(Math.cos(e), 1e-6);
-  const up = (elevation > 0 ? meets[1] - 30 : HIGH - FOOT - 30 - meets[1]) / Math.max(Math.abs(Math.sin(e)), 1e-6);
+function sunAt(meets: Point, slope: number, way: number): Point {
+  const e = slope * RAD;
+  const across = (way > 0 ? meets[0] - 34 : WIDE - 34 - meets[0]) / Math.max(Math.cos(e), 1e-6);
+  const up = (slope > 0 ? meets[1] - 30 : HIGH - FOOT - 30 - meets[1]) / Math.max(Math.abs(Math.sin(e)), 1e-6);
   const far = Math.max(Math.min(across, up, 300), 40);
-  return [meets[0] - far * Math.cos(e), meets[1] - far * Math.sin(e)];
+  return [meets[0] - way * far * Math.cos(e), meets[1] - far * Math.sin(e)];
 }
 
 /** Light that has left goes on to the edge of the drawing, and light that arrives comes from there. */
@@ -136,7 +146,7 @@ function extended(strip: Strip, arrives: boolean, reach: number): Point[] {
 }
 
 /** The share of each direction that leaves, where its strongest strip meets the edge of the drawing. */
-function labels(section: Section, px: (point: Point) => Point): { at: Point; text: string }[] {
+function labels(section: Section, px: (point: Point) => Point, sun: Point): { at: Point; text: string }[] {
   const groups = new Map<number, { power: number; best: Strip }>();
   for (const strip of section.strips) {
     if (!strip.leaves) continue;
@@ -146,15 +156,19 @@ function labels(section: Section, px: (point: Point) => Point): { at: Point; tex
     groups.set(slope, { power: group.power + strip.power, best: strip.power > group.best.power ? strip : group.best });
   }
   const found: { at: Point; text: string }[] = [];
-  for (const { power, best } of groups.values()) {
+  for (const { power, best } of [...groups.values()].sort((one, other) => other.power - one.power)) {
     if (power < 0.02) continue;
     const [a, b, c, d] = best.corners.map(px);
     const start: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
     const way: Point = [(c[0] + d[0] - a[0] - b[0]) / 2, (c[1] + d[1] - a[1] - b[1]) / 2];
     const toSide = way[0] ? ((way[0] > 0 ? WIDE : 0) - start[0]) / way[0] : Infinity;
     const toTop = way[1] ? ((way[1] > 0 ? HIGH - FOOT : 0) - start[1]) / way[1] : Infinity;
-    const far = 0.84 * Math.min(toSide, toTop);
-    if (far > 0) found.push({ at: [start[0] + far * way[0], start[1] + far * way[1]], text: `${(100 * power).toFixed(0)} %` });
+    const rim = Math.min(toSide, toTop);
+    const on = (far: number): Point => [start[0] + far * way[0], start[1] + far * way[1]];
+    // near the rim, unless the sun or another label is there
+    const isFree = (at: Point) => Math.hypot(at[0] - sun[0], at[1] - sun[1]) > 52 && found.every((one) => Math.hypot(at[0] - one.at[0], 1.6 * (at[1] - one.at[1])) > 40);
+    const far = [0.84, 0.7, 0.56, 0.42].find((share) => isFree(on(share * rim)));
+    if (rim > 0 && far) found.push({ at: on(far * rim), text: `${(100 * power).toFixed(0)} %` });
   }
   return found;
 }

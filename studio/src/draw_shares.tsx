@@ -16,15 +16,24 @@ export function tenths(shares: number[]): number[] {
   return made;
 }
 
-export function DrawShares({ shares, words, label, isStale }: { shares: Shares | null; words: Record<string, string>; label: string; isStale: boolean }) {
+interface Props {
+  shares: Shares | null;
+  errors: Shares | null;
+  words: Record<string, string>;
+  label: string;
+  isStale: boolean;
+}
+
+export function DrawShares({ shares, errors, words, label, isStale }: Props) {
   if (!shares) return <div class="energy" role="img" aria-label={label} />;
   const parts = PARTS.filter((name) => name !== "residual" || shares.residual >= 5e-4);
   const shown = tenths(parts.map((name) => shares[name]));
+  const start = (k: number) => shown.slice(0, k).reduce((sum, one) => sum + one, 0);
   return (
     <figure class={isStale ? "stale" : ""}>
       <svg class="energy" viewBox="0 0 1000 64" preserveAspectRatio="none" role="img" aria-label={`${label}: ${parts.map((name, k) => `${words[name]} ${(shown[k] / 10).toFixed(1)} %`).join(", ")}`}>
         {parts.map((name, k) => (
-          <rect key={name} x={shown.slice(0, k).reduce((sum, one) => sum + one, 0)} y={0} width={shown[k]} height={64} fill={HUES[name]} />
+          <rect key={name} x={start(k)} y={0} width={shown[k]} height={64} fill={HUES[name]} />
         ))}
       </svg>
       <dl class="shares">
@@ -35,7 +44,7 @@ export function DrawShares({ shares, words, label, isStale }: { shares: Shares |
               {words[name]}
             </dt>
             <dd data-share={name} data-value={shares[name]}>
-              {(shown[k] / 10).toFixed(1)} %
+              {(shown[k] / 10).toFixed(1)} %{errors && <small> ± {(100 * errors[name]).toFixed(2)}</small>}
             </dd>
           </div>
         ))}

@@ -1,5 +1,6 @@
 // Inputs with their label, unit, and what is wrong beside them.
 
+import type { ComponentChildren } from "preact";
 import type { Fault } from "./ask";
 import { words } from "./words";
 
@@ -13,23 +14,29 @@ interface SliderProps {
   unit: string;
   faults?: Fault[];
   field?: string;
+  help?: string;
+  extra?: ComponentChildren;
   onChange: (value: number) => void;
 }
 
-export function SliderInput({ id, label, value, low, high, step, unit, faults = [], field, onChange }: SliderProps) {
+export function SliderInput({ id, label, value, low, high, step, unit, faults = [], field, help, extra, onChange }: SliderProps) {
   const wrong = faults.filter((fault) => fault.field === (field ?? id));
   const take = (event: Event) => {
     const number = (event.currentTarget as HTMLInputElement).valueAsNumber;
     if (Number.isFinite(number)) onChange(number);
   };
   return (
-    <div class={`input${wrong.length ? " wrong" : ""}`}>
-      <label for={id}>{label}</label>
+    <div class={`input${wrong.length ? " wrong" : ""}`} title={help}>
+      <span>
+        <label for={id}>{label}</label>
+        {extra}
+      </span>
       <span class="number">
-        <input type="number" step={step} value={value} aria-label={`${label}, ${unit}`} aria-describedby={wrong.length ? `${id}-wrong` : undefined} aria-invalid={wrong.length > 0} onInput={take} />
+        <input type="number" step={step} value={value} aria-label={unit ? `${label}, ${unit}` : label} aria-describedby={wrong.length ? `${id}-wrong` : help ? `${id}-help` : undefined} aria-invalid={wrong.length > 0} onInput={take} />
         <span class="unit">{unit}</span>
       </span>
       <input id={id} type="range" min={low} max={high} step={step} value={value} aria-valuetext={`${value} ${unit}`} onInput={take} />
+      <Help id={id} text={help} />
       {wrong.length > 0 && (
         <p class="fault" id={`${id}-wrong`} role="alert">
           {wrong.map((fault) => fault.message).join("; ")}
@@ -39,25 +46,38 @@ export function SliderInput({ id, label, value, low, high, step, unit, faults = 
   );
 }
 
+/** A sentence about an input, shown while it has the focus. */
+export function Help({ id, text }: { id: string; text?: string }) {
+  return text ? (
+    <p class="help" id={`${id}-help`}>
+      {text}
+    </p>
+  ) : null;
+}
+
 interface ChoiceProps {
   id: string;
   label: string;
   value: string;
   options: [string, string][];
+  help?: string;
+  /** What to call it for those who do not see it, where no label stands beside it. */
+  name?: string;
   onChange: (value: string) => void;
 }
 
-export function ChoiceInput({ id, label, value, options, onChange }: ChoiceProps) {
+export function ChoiceInput({ id, label, value, options, help, name, onChange }: ChoiceProps) {
   return (
-    <div class="input">
-      <label for={id}>{label}</label>
-      <select id={id} value={value} onChange={(event) => onChange(event.currentTarget.value)}>
+    <div class="input" title={help}>
+      {label && <label for={id}>{label}</label>}
+      <select id={id} value={value} aria-label={label ? undefined : name} aria-describedby={help ? `${id}-help` : undefined} onChange={(event) => onChange(event.currentTarget.value)}>
         {options.map(([word, shown]) => (
           <option key={word} value={word}>
             {shown}
           </option>
         ))}
       </select>
+      <Help id={id} text={help} />
     </div>
   );
 }

@@ -1,82 +1,96 @@
-// The controls of one panel: its kind, sizes and medium.
+// The controls of one panel: where to start from, its kind, sizes and medium.
 
-import type { Kinds } from "./answers";
+import type { Kinds, Slider } from "./answers";
 import type { Fault } from "./ask";
-import { ChoiceInput, Faults, SliderInput } from "./inputs";
-import type { Panel } from "./state";
-import { words } from "./words";
+import { ChoiceInput, Faults } from "./inputs";
+import { DrawnInputs, FacetInputs } from "./panel_drawn";
+import { SizeInput } from "./panel_fields";
+import { MediumInput } from "./panel_medium";
+import type { Panel, Value } from "./state";
+import { panel as said } from "./words/panel";
 
 interface Props {
   name: string;
   title: string;
   panel: Panel;
   kinds: Kinds;
+  drawings: string[];
   faults: Fault[];
   onChange: (panel: Panel) => void;
 }
 
-export function PanelControls({ name, title, panel, kinds, faults, onChange }: Props) {
+export function PanelControls({ name, title, panel, kinds, drawings, faults, onChange }: Props) {
   const kind = kinds.kinds.find((one) => one.kind === panel.kind);
+  const isDrawn = panel.kind === "drawn";
   const turn = (word: string) => {
     const to = kinds.kinds.find((one) => one.kind === word);
     if (!to) return;
-    const sizes = Object.fromEntries(to.sliders.map((slider) => [slider.name, typeof panel[slider.name] === "number" ? panel[slider.name] : slider.start]));
+    const sizes = Object.fromEntries(to.sliders.filter((slider) => slider.start !== null).map((slider) => [slider.name, typeof panel[slider.name] === "number" ? panel[slider.name] : (slider.start as number)]));
     const choices = Object.fromEntries(to.choices.map((choice) => [choice.name, choice.start]));
-    onChange({ kind: to.kind, ...sizes, ...choices, medium: to.medium });
+    const texts = Object.fromEntries(to.texts.map((text) => [text.name, text.start]));
+    onChange({ kind: to.kind, ...sizes, ...choices, ...texts, ...(word === "drawn" ? { media: [to.medium] } : { medium: to.medium }) });
   };
-  const isNamed = panel.medium === undefined || typeof panel.medium === "string";
-  const medium = typeof panel.medium === "string" ? panel.medium : (kind?.medium ?? "");
-  const fields = [...(kind?.sliders.map((slider) => slider.name) ?? [])];
-  const kindOptions = kinds.kinds.map((one): [string, string] => [one.kind, words.kinds[one.kind] ?? one.kind]);
-  if (!kind) kindOptions.push([panel.kind, words.kinds[panel.kind] ?? panel.kind]);
+  const set = (field: string, value: Value | undefined) => {
+    const { [field]: _, ...rest } = panel;
+    onChange((value === undefined ? rest : { ...panel, [field]: value }) as Panel);
+  };
+  const size = (slider: Slider) => <SizeInput key={slider.name} id={`${name}-${slider.name}`} slider={slider} value={panel[slider.name]} faults={faults} onChange={(value) => set(slider.name, value)} />;
+  const kindOptions = kinds.kinds.map((one): [string, string] => [one.kind, said.kinds[one.kind] ?? one.kind]);
+  if (!kind) kindOptions.push([panel.kind, said.kinds[panel.kind] ?? panel.kind]);
+  const groups = [...new Set(kind?.sliders.map((slider) => slider.group).filter(Boolean))];
+  const isSet = (slider: Slider) => panel[slider.name] !== undefined && panel[slider.name] !== slider.start;
+  const shown = ["n", "absorption_per_mm", "points", "path_data", "facets", "profile", ...(kind?.sliders.map((slider) => slider.name) ?? [])];
   return (
-    <fieldset class="controls">
+    <fieldset class="controls panelControls">
       <legend>{title}</legend>
-      <ChoiceInput id={`${name}-kind`} label={words.fields.kind} value={panel.kind} options={kindOptions} onChange={turn} />
-      {kind?.sliders.map((slider) => {
-        const value = panel[slider.name];
-        if (value !== undefined && value !== null && typeof value !== "number")
-          return (
-            <p key={slider.name} class="hint">
-              {words.fields[slider.name]}: {String(value)} {slider.unit} ({words.custom})
-            </p>
-          );
-        return (
-          <SliderInput
-            key={slider.name}
-            id={`${name}-${slider.name}`}
-            field={slider.name}
-            label={words.fields[slider.name] ?? slider.name}
-            value={typeof value === "number" ? value : slider.start}
-            low={Math.min(slider.low, typeof value === "number" ? value : slider.low)}
-            high={Math.max(slider.high, typeof value === "number" ? value : slider.high)}
-            step={slider.step}
-            unit={slider.unit}
-            faults={faults}
-            onChange={(to) => onChange({ ...panel, [slider.name]: to })}
-          />
-        );
-      })}
+      <Presets name={name} kinds={kinds} onChange={onChange} />
+      <ChoiceInput id={`${name}-kind`} label={said.fields.kind} value={panel.kind} options={kindOptions} onChange={turn} />
+      {kind?.sliders.filter((slider) => !slider.group).map(size)}
       {kind?.choices.map((choice) => (
         <ChoiceInput
           key={choice.name}
           id={`${name}-${choice.name}`}
-          label={words.fields[choice.name] ?? choice.name}
+          label={said.fields[choice.name] ?? choice.name}
           value={String(panel[choice.name] ?? choice.start)}
-          options={choice.words.map((word) => [word, words.choices[word] ?? word])}
-          onChange={(to) => onChange({ ...panel, [choice.name]: to })}
+          options={choice.words.map((word) => [word, said.choices[word] ?? word])}
+          help={said.help[choice.name]}
+          onChange={(to) => set(choice.name, to)}
         />
       ))}
-      {kind && (
-        <ChoiceInput
-          id={`${name}-medium`}
-          label={words.fields.medium}
-          value={isNamed ? medium : "custom"}
-          options={[...kinds.media.map((word): [string, string] => [word, words.media[word] ?? word]), ...(isNamed ? [] : ([["custom", words.custom]] as [string, string][]))]}
-          onChange={(to) => onChange({ ...panel, medium: to })}
-        />
-      )}
-      <Faults faults={faults} fields={fields} />
+      {isDrawn && <DrawnInputs name={name} panel={panel} kinds={kinds} drawings={drawings} faults={faults} onChange={onChange} />}
+      {panel.kind === "extruded" && panel.profile && <FacetInputs name={name} panel={panel} kinds={kinds} faults={faults} onChange={onChange} />}
+      {kind && !isDrawn && <MediumInput id={`${name}-medium`} label={said.fields.medium} value={panel.medium} start={kind.medium} media={kinds.media} faults={faults} onChange={(to) => set("medium", to)} />}
+      {groups.map((group) => {
+        const own = kind?.sliders.filter((slider) => slider.group === group) ?? [];
+        return (
+          <details key={`${panel.kind}-${group}`} class="fold" open={own.some(isSet)}>
+            <summary>{said.groups[group] ?? group}</summary>
+            {own.map(size)}
+          </details>
+        );
+      })}
+      <Faults faults={faults} fields={shown} />
     </fieldset>
+  );
+}
+
+/** Panels to start from, one click each. */
+function Presets({ name, kinds, onChange }: { name: string; kinds: Kinds; onChange: (panel: Panel) => void }) {
+  const groups = [...new Set(kinds.presets.map((one) => one.group))];
+  return (
+    <div class="chips" role="group" aria-label={`${said.startFrom}, ${name.toUpperCase()}`}>
+      {groups.map((group) => (
+        <span key={group} title={group === "laser-cut" ? said.presetHint : undefined}>
+          <i>{said.presets[group] ?? group}</i>
+          {kinds.presets
+            .filter((one) => one.group === group)
+            .map((one) => (
+              <button key={one.name} aria-label={`${said.startFrom} ${said.presets[group] ?? group} ${one.name}`} onClick={() => onChange(structuredClone(one.panel) as Panel)}>
+                {one.name}
+              </button>
+            ))}
+        </span>
+      ))}
+    </div>
   );
 }

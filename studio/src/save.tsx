@@ -26,6 +26,21 @@ function alone(drawing: SVGSVGElement): string {
   return new XMLSerializer().serializeToString(copy);
 }
 
+/** Several drawings as one, beside one another. */
+function beside(drawings: SVGSVGElement[]): string {
+  const boxes = drawings.map((one) => one.viewBox.baseVal);
+  const high = Math.max(...boxes.map((box) => box.height));
+  const starts = boxes.map((_, k) => boxes.slice(0, k).reduce((sum, box) => sum + (box.width * high) / box.height, 0));
+  const wide = boxes.reduce((sum, box) => sum + (box.width * high) / box.height, 0);
+  const parts = drawings.map((one, k) => {
+    const part = new DOMParser().parseFromString(alone(one), "image/svg+xml").documentElement;
+    for (const [key, value] of Object.entries({ x: starts[k], y: 0, width: (boxes[k].width * high) / boxes[k].height, height: high })) part.setAttribute(key, String(value));
+    return new XMLSerializer().serializeToString(part);
+  });
+  const ground = getComputedStyle(document.documentElement).getPropertyValue("--ground").trim();
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${wide} ${high}" width="${wide}" height="${high}"><rect width="${wide}" height="${high}" fill="${ground}"/>${parts.join("")}</svg>`;
+}
+
 async function pixels(svg: string, scale: number): Promise<Blob> {
   const picture = new Image();
   picture.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
@@ -67,12 +82,14 @@ interface Props {
 export function Figure({ name, title, hint, table, canvas, noPicture, extra, children }: Props) {
   const place = useRef<HTMLElement>(null);
   const svgs = () => Array.from(place.current?.querySelectorAll<SVGSVGElement>("svg.drawing") ?? []);
-  const each = (save: (svg: string, name: string) => void) =>
-    svgs().forEach((drawing, k) => save(alone(drawing), svgs().length > 1 ? `${name}-${k + 1}` : name));
+  const drawn = () => {
+    const all = svgs();
+    return all.length === 1 ? alone(all[0]) : beside(all);
+  };
   const png = () => {
     const own = canvas?.();
     if (own) return own.toBlob((blob) => blob && saveFile(`${name}.png`, blob));
-    each((svg, file) => void pixels(svg, 3).then((blob) => saveFile(`${file}.png`, blob)));
+    if (svgs().length) void pixels(drawn(), 3).then((blob) => saveFile(`${name}.png`, blob));
   };
   return (
     <section class="figure" ref={place} aria-label={title}>
@@ -80,7 +97,7 @@ export function Figure({ name, title, hint, table, canvas, noPicture, extra, chi
         <h3>{title}</h3>
         <div class="saves" role="group" aria-label={`${words.exports}: ${title}`}>
           {!noPicture && <button onClick={png}>PNG</button>}
-          {!canvas && !noPicture && <button onClick={() => each((svg, file) => saveFile(`${file}.svg`, svg, "image/svg+xml"))}>SVG</button>}
+          {!canvas && !noPicture && <button onClick={() => svgs().length && saveFile(`${name}.svg`, drawn(), "image/svg+xml")}>SVG</button>}
           {table && <button onClick={() => saveFile(`${name}.csv`, csv(table()), "text/csv")}>CSV</button>}
           {extra?.map((one) => (
             <button key={one.label} onClick={one.save}>

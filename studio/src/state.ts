@@ -1,34 +1,32 @@
 // The page's state: one object, kept in the address so that a link reproduces it.
 
+import { BSDF_START, type BsdfState } from "./bsdf_state";
+import { PANEL_START, type PanelState } from "./panel_state";
 import { ROOM_START, type RoomState } from "./room_state";
 import { hashOf, type Shape, stateOf, stateOfHash, type Tree } from "./state_text";
 import { YEAR_START, type YearState } from "./year_state";
 
 export type Scalar = string | number | boolean | null;
-export type Panel = { kind: string } & Record<string, Scalar | number[]>;
+/** A number, a list that repeats, a medium of its own, a drawing: whatever a panel's file holds. */
+export type Value = Scalar | Value[] | { [name: string]: Value };
+export type Panel = { kind: string } & Record<string, Value>;
 
 export interface State {
   view: string;
   theme: string;
-  panel: { a: Panel; b: Panel; compares: boolean; elevation: number; azimuth: number };
+  panel: PanelState;
   room: RoomState;
   year: YearState;
-  bsdf: { path: string; key: string; elevation: number; azimuth: number; side: string; band: string; plane: number };
+  bsdf: BsdfState;
 }
 
 export const START: State = {
   view: "panel",
   theme: "auto",
-  panel: {
-    a: { kind: "laser-cut", spacing_mm: 6, thickness_mm: 6, medium: "pmma" },
-    b: { kind: "prismatic", pitch_mm: 4, lower_deg: 45, upper_deg: 80, base_mm: 3, ridges: "front", medium: "pmma" },
-    compares: false,
-    elevation: 45,
-    azimuth: 0,
-  },
+  panel: PANEL_START,
   room: ROOM_START,
   year: YEAR_START,
-  bsdf: { path: "", key: "", elevation: 40, azimuth: 0, side: "front", band: "visible", plane: 0 },
+  bsdf: BSDF_START,
 };
 
 /** What is known of the state's parts besides their start; a view adds its own. */

@@ -108,3 +108,35 @@ def test_what_is_not_open_is_said_so(client: Any) -> None:
             f"/api/bsdf/{path}", json={"key": "none", **({} if path in ("open", "xml") else {"elevation_deg": 0})}
         )
         assert (answer.status_code, answer.json()["errors"][0]["field"]) == (422, "key"), path
+
+
+def test_the_curve_holds_the_shares_of_the_blocks(client: Any, diffuser: Path) -> None:
+    key = client.post("/api/bsdf?name=d.xml", content=diffuser.read_bytes()).json()["key"]
+    told = client.post("/api/bsdf/curve", json={"key": key, "azimuth_deg": 20.0}).json()
+    assert [one["word"] for one in told["curves"]] == ["Transmitted", "Reflected"]
+    assert len(told["elevation_deg"]) == len(told["curves"][0]["values"])
+    np.testing.assert_allclose(told["curves"][0]["values"], 0.25, rtol=1e-6)
+
+
+@pytest.mark.parametrize("ending", ["xml", "nc", "mtx", "epJSON", "idf"])
+def test_a_bsdf_goes_out_as_every_kind_of_file(client: Any, diffuser: Path, tmp_path: Path, ending: str) -> None:
+    key = client.post("/api/bsdf?name=d.xml", content=diffuser.read_bytes()).json()["key"]
+    asked = {"key": key, "format": ending, "basis": "klems_full", "name": "Mine", "thickness_mm": 4.0}
+    content = client.post("/api/bsdf/file", json=asked).content
+    path = tmp_path / f"out.{ending}"
+    path.write_bytes(content)
+    if ending in ("xml", "nc"):
+        again = read_bsdf(path)
+        assert again.name == "Mine"
+        assert again.visible.transmission_front.mean() == pytest.approx(0.25, rel=1e-4)
+    else:
+        assert {"mtx": b"NCOMP", "epJSON": b"Matrix", "idf": b"Matrix"}[ending] in content
+
+
+def test_a_tree_is_turned_into_a_matrix_for_a_file_and_refused_without(client: Any) -> None:
+    key = client.post("/api/bsdf/open", json={"path": "blinds.xml"}).json()["key"]
+    answer = client.post("/api/bsdf/file", json={"key": key, "format": "mtx"})
+    assert answer.status_code == 422
+    assert "give a basis" in answer.json()["errors"][0]["message"]
+    asked = {"key": key, "format": "mtx", "basis": "klems_quarter"}
+    assert client.post("/api/bsdf/file", json=asked).status_code == 200

@@ -90,9 +90,10 @@ def test_what_is_wrong_is_told_before_a_job_waits(client: Any) -> None:
 
 def test_what_is_wrong_within_a_job_is_told_beside_its_field(client: Any) -> None:
     rough = IDEAL | {"cut_slope_deg": 2.0}
-    last = ended(client, started(client, kind="angular", panel=rough))[-1]
+    last = ended(client, started(client, kind="dispersion", panel=rough, elevation_deg=40.0))[-1]
     assert last["state"] == "failed"
-    assert "monte_carlo" in last["errors"][0]["message"]
+    assert last["errors"][0]["field"] == "cut_slope_deg"
+    assert "no beams" in last["errors"][0]["message"]
 
 
 def test_a_short_question_does_not_wait_for_a_long_job(client: Any) -> None:

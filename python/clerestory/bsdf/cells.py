@@ -16,10 +16,10 @@ from clerestory.bsdf.shirley_chiu import disc_to_square, square_to_disc
 _STEP = np.radians(2.0)
 
 
-def patch_outline(basis: KlemsBasis, patch: int) -> Floats:
-    """Corners of a patch in (x, y), shape (n, 2), its curved edges in steps of 2°."""
+def patch_outline(basis: KlemsBasis, patch: int, step: float = _STEP) -> Floats:
+    """Corners of a patch in (x, y), shape (n, 2), its curved edges in steps of 2°, or of ``step`` [rad]."""
     low, high, first, last = basis.bounds[patch]
-    count = max(2, int(np.ceil((last - first) / _STEP)) + 1)
+    count = max(2, int(np.ceil((last - first) / step)) + 1)
     phi = np.linspace(first, last, count)
     edge = np.stack([np.cos(phi), np.sin(phi)], axis=1)
     return np.concatenate([np.sin(high) * edge, np.sin(low) * edge[::-1]])

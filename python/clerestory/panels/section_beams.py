@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
@@ -53,6 +53,44 @@ def section_beams(
     ClerestoryError
         If an argument is out of its range.
     """
+    corners, power, medium, total_reflections, about = strips(
+        panel,
+        elevation_deg=elevation_deg,
+        azimuth_deg=azimuth_deg,
+        side=side,
+        slice_mm=slice_mm,
+        least_power=least_power,
+        wavelength_nm=wavelength_nm,
+        arc_chords=arc_chords,
+    )
+    return xr.Dataset(
+        {
+            "corners": (("strip", "corner", "axis"), corners, {"long_name": "corners of the strip", "units": "mm"}),
+            "power": ("strip", power, {"long_name": "share of the light let in", "units": "1"}),
+            "medium": ("strip", medium, {"long_name": "medium it runs in"}),
+            "total_reflections": (
+                "strip",
+                total_reflections,
+                {"long_name": "total internal reflections so far"},
+            ),
+        },
+        {"axis": ["z", "y"]},
+        about,
+    )
+
+
+def strips(
+    panel: Panel,
+    *,
+    elevation_deg: float,
+    azimuth_deg: float = 0.0,
+    side: Side = "front",
+    slice_mm: tuple[float, float] | None = None,
+    least_power: float = 0.005,
+    wavelength_nm: float | None = None,
+    arc_chords: int = ARC_CHORDS,
+) -> tuple[Any, Any, Any, Any, dict[str, Any]]:
+    """What :func:`section_beams` holds, as arrays: corners, powers, media, total reflections, and its attributes."""
     elevation = angles("elevation_deg", number("elevation_deg", elevation_deg))
     azimuth = angles("azimuth_deg", number("azimuth_deg", azimuth_deg))
     one_of("side", side, SIDES)
@@ -68,17 +106,11 @@ def section_beams(
     corners, power, medium, total_reflections = optics.section_beams(
         incident, y_range_mm=(heights[0], heights[1]), least_power=least_power
     )
-    return xr.Dataset(
-        {
-            "corners": (("strip", "corner", "axis"), corners, {"long_name": "corners of the strip", "units": "mm"}),
-            "power": ("strip", np.array(power), {"long_name": "share of the light let in", "units": "1"}),
-            "medium": ("strip", np.frombuffer(bytes(medium), dtype=np.uint8), {"long_name": "medium it runs in"}),
-            "total_reflections": (
-                "strip",
-                np.array(total_reflections, dtype=np.int64),
-                {"long_name": "total internal reflections so far"},
-            ),
-        },
-        {"axis": ["z", "y"]},
-        {"elevation_deg": float(elevation[0]), "azimuth_deg": float(azimuth[0]), "side": side, "slice_mm": heights},
+    about = {"elevation_deg": float(elevation[0]), "azimuth_deg": float(azimuth[0]), "side": side, "slice_mm": heights}
+    return (
+        corners,
+        np.array(power),
+        np.frombuffer(bytes(medium), dtype=np.uint8),
+        np.array(total_reflections, dtype=np.int64),
+        about,
     )

@@ -9,15 +9,19 @@ import numpy as np
 
 from clerestory.bsdf import Bsdf, KlemsBlock, klems_basis
 from clerestory.bsdf.cells import outgoing_cells, patch_outline
+from clerestory.bsdf.klems import KlemsBasis
 from clerestory.bsdf.summary import summary
-from clerestory.plots.bsdf_incidence import Side, picked
+from clerestory.plots.bsdf_incidence import Side, picked, travel_xy
 from clerestory.rules import within
 from clerestory.studio.bsdf_shelf import Opened
 
-#: Digits of outlines, whose radius is 90.
-_DIGITS = 2
+#: Digits of outlines, whose radius is 90, and the step along their curved edges [rad].
+_DIGITS = 1
+_EDGE_STEP = np.radians(6.0)
 #: Directions of a cut.
 _CUT_STEPS = 721
+#: Elevations of a curve, and how near to grazing it goes [degrees].
+_CURVE_STEPS, _STEEPEST_DEG = 179, 89.0
 
 
 def told(key: str, opened: Opened) -> dict[str, Any]:
@@ -42,19 +46,26 @@ def discs(bsdf: Bsdf, *, elevation_deg: Any, azimuth_deg: Any, side: Side, band:
     basis = block.incident if isinstance(block, KlemsBlock) else klems_basis("klems_full")
     outgoing = []
     for word, one in blocks.items():
-        cells, values = outgoing_cells(one, point)
+        if isinstance(one, KlemsBlock):
+            cells = _patches(one.outgoing)
+            values = one.values[:, int(one.incident.find(point[0], point[1]))]
+        else:
+            outlines, values = outgoing_cells(one, point)
+            cells = _spread_all(outlines)
         outgoing.append(
             {
                 "word": word,
-                "cells": _klems_cells(one.outgoing.name) if isinstance(one, KlemsBlock) else _spread_all(cells),
+                "cells": cells,
                 "values": values,
                 "share": float(one.hemispherical_at(point)),
+                "mean": one.mean(),
+                "standard_error": _error_at(one, point),
             }
         )
     return {
         "incident": {
             "word": first,
-            "cells": _klems_cells(basis.name),
+            "cells": _patches(basis),
             "values": block.hemispherical_at(basis.centre),
         },
         "picked": int(basis.find(point[0], point[1])),
@@ -77,6 +88,15 @@ def cut(bsdf: Bsdf, *, elevation_deg: Any, azimuth_deg: Any, side: Side, band: s
     }
 
 
+def curve(bsdf: Bsdf, *, azimuth_deg: Any, side: Side, band: str) -> dict[str, Any]:
+    """The shares that pass and come back against elevation: hemispherical, of light from one direction each."""
+    blocks, _ = picked(bsdf, band, side, 0.0, azimuth_deg)
+    elevation_deg = np.linspace(-_STEEPEST_DEG, _STEEPEST_DEG, _CURVE_STEPS)
+    points = travel_xy(elevation_deg, azimuth_deg)
+    curves = [{"word": word, "values": block.hemispherical_at(points)} for word, block in blocks.items()]
+    return {"elevation_deg": elevation_deg, "curves": curves}
+
+
 def incidence_of(x: Any, y: Any) -> dict[str, float]:
     """Where light comes from that travels along a point of a disc (degrees from the middle, right and up)."""
     right, up = within("x", x, -90.0, 90.0), within("y", y, -90.0, 90.0)
@@ -89,11 +109,16 @@ def incidence_of(x: Any, y: Any) -> dict[str, float]:
     }
 
 
-@lru_cache(maxsize=8)
-def _klems_cells(name: str) -> list[Any]:
-    """Outlines of the patches of a basis, as they are drawn."""
-    basis = klems_basis(name)
-    return _spread_all([patch_outline(basis, patch) for patch in range(len(basis))])
+@lru_cache(maxsize=32)
+def _patches(basis: KlemsBasis) -> list[Any]:
+    """Outlines of a basis's patches on a disc."""
+    return _spread_all([patch_outline(basis, patch, _EDGE_STEP) for patch in range(len(basis))])
+
+
+def _error_at(block: Any, point: Any) -> float | None:
+    """Standard error of the share that leaves, of a matrix that was found by random draws."""
+    errors = block.hemispherical_standard_error() if isinstance(block, KlemsBlock) else None
+    return None if errors is None else float(errors[int(block.incident.find(point[0], point[1]))])
 
 
 def _spread_all(cells: list[Any]) -> list[Any]:

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-import warnings
+from dataclasses import replace
 from typing import Any
 
 import anyio
 from starlette.requests import Request
 from starlette.responses import Response
 
-from clerestory.bsdf.told import BsdfWarning
+from clerestory.bsdf.band import DIRECTIONS
+from clerestory.bsdf.klems import KLEMS_BASES
 from clerestory.errors import ClerestoryError
 from clerestory.studio.answers import answer, refused
-from clerestory.studio.bsdf_answers import cut, discs, incidence_of, told
+from clerestory.studio.bsdf_answers import curve, cut, discs, incidence_of, told
+from clerestory.studio.bsdf_files import FORMATS, file_of
 from clerestory.studio.bsdf_shelf import Shelf
 from clerestory.studio.fields import Field
 from clerestory.studio.folder import inside
-from clerestory.studio.panel_calls import xml_of
 from clerestory.studio.requests import Asked, Call, call
 from clerestory.studio.shapes import INTEGER, NUMBER, TABLE, TEXT, MisshapenError, listed, maybe, named, record, word
 
@@ -58,8 +59,11 @@ _DISCS = record(
         "incident": record(_DISC),
         "picked": INTEGER,
         "point": _POINT,
-        "outgoing": listed(record({**_DISC, "share": NUMBER})),
+        "outgoing": listed(record({**_DISC, "share": NUMBER, "mean": NUMBER, "standard_error": maybe(NUMBER)})),
     }
+)
+_CURVE = record(
+    {"elevation_deg": listed(NUMBER), "curves": listed(record({"word": TEXT, "values": listed(maybe(NUMBER))}))}
 )
 _CUT = record(
     {
@@ -118,10 +122,22 @@ def incidence(_: Request, asked: Asked) -> dict[str, Any]:
 def xml(request: Request, asked: Asked) -> Response:
     """The BSDF as LBNL's XML."""
     bsdf = request.app.state.shelf.get(asked["key"]).bsdf
-    with warnings.catch_warnings():
-        # what the file makes up is told by the page's own findings
-        warnings.simplefilter("ignore", BsdfWarning)
-        return Response(xml_of(bsdf), media_type="application/xml", headers={"cache-control": "no-store"})
+    return Response(file_of(bsdf, "xml"), media_type="application/xml", headers={"cache-control": "no-store"})
+
+
+def against(request: Request, asked: Asked) -> dict[str, Any]:
+    """Shares that pass and come back against the elevation of the light."""
+    return curve(request.app.state.shelf.get(asked.pop("key")).bsdf, **asked)
+
+
+def file(request: Request, asked: Asked) -> Response:
+    """The BSDF as a file that another program reads."""
+    bsdf = request.app.state.shelf.get(asked["key"]).bsdf
+    given: dict[str, Any] = {name: asked[name] for name in ("name", "manufacturer", "thickness_mm") if name in asked}
+    if asked.get("basis"):
+        bsdf = bsdf.in_basis(asked["basis"])
+    content = file_of(replace(bsdf, **given), asked["format"], band=asked["band"], direction=asked["direction"])
+    return Response(content, media_type="application/octet-stream", headers={"cache-control": "no-store"})
 
 
 ROUTES = [
@@ -156,6 +172,28 @@ ROUTES = [
             "y": Field(NUMBER, "Up from the middle of a disc [° from the normal, -90..90]", example=10.0),
         },
         gives=record({"elevation_deg": NUMBER, "azimuth_deg": NUMBER}),
+    ),
+    call(
+        "/api/bsdf/curve",
+        against,
+        {name: field for name, field in _LOOK.items() if name != "elevation_deg"},
+        gives=_CURVE,
+    ),
+    call(
+        "/api/bsdf/file",
+        file,
+        {
+            "key": _KEY,
+            "format": Field(word(*FORMATS), "Ending of the file", "xml"),
+            "basis": Field(word(*KLEMS_BASES), "Klems basis to turn it into; without it as it is", None),
+            "band": Field(TEXT, "Band of a matrix for Radiance (mtx)", "visible"),
+            "direction": Field(word(*DIRECTIONS), "Block of a matrix for Radiance (mtx)", "transmission_front"),
+            "name": Field(TEXT, "Name of the product, instead of its own", None),
+            "manufacturer": Field(TEXT, "Likewise", None),
+            "thickness_mm": Field(NUMBER, "Likewise [mm]", None),
+        },
+        gives=TEXT,
+        media="application/octet-stream",
     ),
     call("/api/bsdf/xml", xml, {"key": _KEY}, gives=TEXT, media="application/xml"),
 ]

@@ -9,7 +9,15 @@ from typing import Any
 from clerestory.errors import ClerestoryError
 
 #: Endings that some view opens, and how many files of them a listing holds.
-ENDINGS = {".toml": "toml", ".xml": "bsdf", ".nc": "netcdf", ".epw": "weather", ".wea": "weather"}
+ENDINGS = {
+    ".toml": "toml",
+    ".xml": "bsdf",
+    ".nc": "netcdf",
+    ".svg": "drawing",
+    ".dxf": "drawing",
+    ".epw": "weather",
+    ".wea": "weather",
+}
 MOST_FILES = 2000
 
 

@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import AsyncIterator, Callable
-from dataclasses import dataclass
+from collections.abc import AsyncIterator
 from typing import Any
 
 import anyio
 from starlette.requests import Request
 from starlette.responses import Response, StreamingResponse
 
-from clerestory.bsdf import Bsdf
-from clerestory.panels.writing import described
-from clerestory.studio import room_jobs, year_calls
+from clerestory.studio import panel_jobs, room_jobs, year_calls
 from clerestory.studio.answers import answer, refused, written
-from clerestory.studio.bsdf_shelf import Opened
 from clerestory.studio.fields import Field, Fields, checked, shape_of
+from clerestory.studio.job_kinds import Kind
 from clerestory.studio.jobs import Job
-from clerestory.studio.panel_calls import PANEL, asked_panel
 from clerestory.studio.requests import Asked, Call, asking
 from clerestory.studio.shapes import ANYTHING, NUMBER, TEXT, MisshapenError, fit, listed, maybe, record, word
 
@@ -26,62 +21,10 @@ from clerestory.studio.shapes import ANYTHING, NUMBER, TEXT, MisshapenError, fit
 _LOOK, _SIGN = 0.05, 10.0
 
 
-@dataclass(frozen=True)
-class Kind:
-    """A kind of job.
-
-    Parameters
-    ----------
-    fields : Fields
-        What it is asked with, besides ``kind``.
-    check : callable
-        Makes of what was asked the arguments of the function of :mod:`clerestory.studio.work`; what is wrong is told
-        before the job waits in line.
-    finish : callable, optional
-        Makes of the application's state and the result what the page gets.
-    heard : callable, optional
-        Makes of the application's state, the arguments and what there is so far what the page gets of it.
-    """
-
-    fields: Fields
-    check: Callable[[Request, Asked], Asked]
-    finish: Callable[[Any, Any], Any] | None = None
-    heard: Callable[[Any, Asked, Any], Any] | None = None
-
-
-def _of_panel(_: Request, asked: Asked) -> Asked:
-    return {**asked, "panel": asked_panel(asked).to_dict()}
-
-
-def _shelve(state: Any, bsdf: Bsdf) -> dict[str, Any]:
-    """Keeps a BSDF beside those that were opened."""
-    key = hashlib.sha256(described(bsdf.exact).encode()).hexdigest()[:20]  # type: ignore[arg-type]
-    return {"key": state.shelf.put(f"panel-{key}", Opened(bsdf))}
-
-
-_AZIMUTH = Field(NUMBER, "Azimuth that the light comes from, about the upright [°, -90..90]", 0.0)
 #: The kinds of jobs; each has a function of the same name in :mod:`clerestory.studio.work`.
 KINDS: dict[str, Kind] = {
-    "angular": Kind(
-        {
-            "panel": PANEL,
-            "azimuth_deg": _AZIMUTH,
-            "side": Field(word("front", "back"), "Side that the light meets", "front"),
-        },
-        _of_panel,
-    ),
-    "dispersion": Kind(
-        {
-            "panel": PANEL,
-            "elevation_deg": Field(
-                NUMBER, "Elevation that the light comes from, above positive [°, -90..90]", example=40.0
-            ),
-            "azimuth_deg": _AZIMUTH,
-        },
-        _of_panel,
-    ),
-    "klems": Kind({"panel": PANEL}, _of_panel, _shelve),
-    "year": Kind(year_calls.FIELDS, year_calls.check),
+    **panel_jobs.KINDS,
+    "year": Kind(year_calls.FIELDS, year_calls.check, is_slow=True),
     "room": Kind(room_jobs.ROOM_FIELDS, room_jobs.asked_room_job, heard=room_jobs.keep_pass),
     "room_sun": Kind(room_jobs.SUN_FIELDS, room_jobs.asked_sun_job, heard=room_jobs.keep_sun_pass),
 }
@@ -120,6 +63,7 @@ def start(request: Request, asked: Asked) -> dict[str, Any]:
         arguments,
         lambda result: kind.finish(state, result) if kind.finish else result,
         lambda partial: kind.heard(state, arguments, partial) if kind.heard else partial,
+        is_slow=kind.is_slow,
     )
     return job.told()
 

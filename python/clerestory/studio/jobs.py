@@ -40,6 +40,7 @@ class Job:
     arguments: dict[str, Any]
     finish: Callable[[Any], Any]
     heard: Callable[[Any], Any]
+    is_slow: bool = False
     key: str = field(default_factory=lambda: secrets.token_urlsafe(9))
     state: str = "waiting"
     done: float = 0.0
@@ -95,6 +96,8 @@ class Jobs:
         arguments: dict[str, Any],
         finish: Callable[[Any], Any] = lambda result: result,
         heard: Callable[[Any], Any] = lambda partial: partial,
+        *,
+        is_slow: bool = False,
     ) -> Job:
         """Puts a job in line.
 
@@ -108,6 +111,8 @@ class Jobs:
             Makes what the page gets of what the function returned.
         heard : callable, optional
             Makes what the page gets of what there is so far.
+        is_slow : bool, default False
+            Whether it may take minutes: one process is left for others, if there is more than one.
 
         Raises
         ------
@@ -119,7 +124,7 @@ class Jobs:
                 raise ClerestoryError("a job must be asked for while the studio runs: start it again")
             if sum(not job.is_over for job in self._jobs.values()) >= self.most_jobs:
                 raise ClerestoryError(f"at most {self.most_jobs} jobs may wait at once: cancel one, or wait")
-            job = Job(kind, arguments, finish, heard)
+            job = Job(kind, arguments, finish, heard, is_slow)
             self._jobs[job.key] = job
             for key in [key for key, one in self._jobs.items() if one.is_over][: max(0, len(self._jobs) - _KEPT)]:
                 del self._jobs[key]
@@ -177,7 +182,10 @@ class Jobs:
     def _next(self) -> Job | None:
         with self._changed:
             while self._is_open:
-                job = next((one for one in self._jobs.values() if one.state == "waiting"), None)
+                slow = sum(one.is_slow and one.state == "running" for one in self._jobs.values())
+                takes_slow = slow < max(1, self.workers - 1)
+                waiting = (one for one in self._jobs.values() if one.state == "waiting")
+                job = next((one for one in waiting if takes_slow or not one.is_slow), None)
                 if job is not None:
                     self._set(job, state="running")
                     return job

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
-from pathlib import Path
 from typing import Any
 
 import tomli_w
@@ -12,9 +10,10 @@ from starlette.requests import Request
 from clerestory.panels import Panel, panel_from_dict
 from clerestory.studio.fields import Field
 from clerestory.studio.panel_answers import lobes_of, section_of
-from clerestory.studio.panel_kinds import media, panel_kinds
+from clerestory.studio.panel_drawn import panel_of
+from clerestory.studio.panel_kinds import media, panel_kinds, presets
 from clerestory.studio.requests import Asked, call
-from clerestory.studio.shapes import FLAG, INTEGER, NUMBER, TABLE, TEXT, listed, record, word
+from clerestory.studio.shapes import FLAG, INTEGER, NUMBER, TABLE, TEXT, listed, maybe, record, word
 from clerestory.studio.toml_kinds import toml_of
 
 #: The panel of a question.
@@ -23,10 +22,14 @@ PANEL = Field(
     "A panel: its `kind` and the arguments of that kind by name, as in its TOML file",
     example={"kind": "laser-cut", "spacing_mm": 6.0, "thickness_mm": 6.0},
 )
+ELEVATION = Field(NUMBER, "Elevation that the light comes from, above positive [°, -90..90]", example=40.0)
+AZIMUTH = Field(NUMBER, "Azimuth that the light comes from, about the upright [°, -90..90]", 0.0)
+SIDE = Field(word("front", "back"), "Side that the light meets", "front")
 _INCIDENCE = {
     "panel": PANEL,
-    "elevation_deg": Field(NUMBER, "Elevation that the light comes from, above positive [°, -90..90]", example=40.0),
-    "azimuth_deg": Field(NUMBER, "Azimuth that the light comes from, about the upright [°, -90..90]", 0.0),
+    "elevation_deg": ELEVATION,
+    "azimuth_deg": AZIMUTH,
+    "side": SIDE,
     "wavelength_nm": Field(NUMBER, "Wavelength [nm]; without it the panel's own, for visible light", None),
 }
 _LOBE = record(
@@ -59,31 +62,70 @@ _STRIP = record(
 _SECTION = record(
     dict.fromkeys(("pitch_mm", "front_mm", "back_mm", "low_mm", "high_mm"), NUMBER)
     | dict.fromkeys(("solids", "films", "surfaces"), _OUTLINES)
-    | {"strips": listed(_STRIP)}
+    | {"is_smooth": FLAG, "strips": listed(_STRIP)}
 )
-_SLIDER = record({"name": TEXT, "low": NUMBER, "high": NUMBER, "step": NUMBER, "unit": TEXT, "start": NUMBER})
-_CHOICE = record({"name": TEXT, "words": listed(TEXT), "start": TEXT})
-_KIND = record({"kind": TEXT, "sliders": listed(_SLIDER), "choices": listed(_CHOICE), "medium": TEXT})
+_SLIDER = record(
+    {
+        "name": TEXT,
+        "low": NUMBER,
+        "high": NUMBER,
+        "step": NUMBER,
+        "unit": TEXT,
+        "start": maybe(NUMBER),
+        "sets": NUMBER,
+        "group": TEXT,
+        "repeats": FLAG,
+    }
+)
+_CHOICE = record({"name": TEXT, "words": listed(TEXT), "start": TEXT, "group": TEXT})
+_KIND = record(
+    {
+        "kind": TEXT,
+        "sliders": listed(_SLIDER),
+        "choices": listed(_CHOICE),
+        "texts": listed(record({"name": TEXT, "source": TEXT, "start": TEXT})),
+        "medium": TEXT,
+    }
+)
+_KINDS = record(
+    {
+        "kinds": listed(_KIND),
+        "media": listed(TEXT),
+        "presets": listed(record({"name": TEXT, "group": TEXT, "panel": TABLE})),
+    }
+)
+_ALL_SHARES = record(dict.fromkeys(_SHARES, NUMBER))
+_LOBES = record(
+    {
+        "lobes": listed(_LOBE),
+        "count": INTEGER,
+        "shares": _ALL_SHARES,
+        "standard_errors": maybe(_ALL_SHARES),
+        "rays": maybe(INTEGER),
+        "is_full": FLAG,
+        "is_smooth": FLAG,
+    }
+)
 
 
-def asked_panel(asked: Asked) -> Panel:
+def asked_panel(request: Request, asked: Asked) -> Panel:
     """The panel of a request, checked by its own dataclass."""
-    return panel_from_dict(asked["panel"])
+    return panel_of(asked["panel"], request.app.state.settings.folder)
 
 
-def section(_: Request, asked: Asked) -> dict[str, Any]:
+def section(request: Request, asked: Asked) -> dict[str, Any]:
     """The section of a panel with the beams of one slice of light."""
-    return section_of(asked_panel(asked), **{name: asked[name] for name in asked if name != "panel"})
+    return section_of(asked_panel(request, asked), **{name: asked[name] for name in asked if name != "panel"})
 
 
-def lobes(_: Request, asked: Asked) -> dict[str, Any]:
+def lobes(request: Request, asked: Asked) -> dict[str, Any]:
     """The beams that leave a panel, and how the light divides."""
-    return lobes_of(asked_panel(asked), **{name: asked[name] for name in asked if name != "panel"})
+    return lobes_of(asked_panel(request, asked), **{name: asked[name] for name in asked if name != "panel"})
 
 
-def to_toml(_: Request, asked: Asked) -> dict[str, Any]:
+def to_toml(request: Request, asked: Asked) -> dict[str, Any]:
     """A panel as the text of its file, which `clerestory panel FILE.toml` and `read_panel` read."""
-    return {"text": tomli_w.dumps(asked_panel(asked).to_dict())}
+    return {"text": tomli_w.dumps(asked_panel(request, asked).to_dict())}
 
 
 def from_toml(_: Request, asked: Asked) -> dict[str, Any]:
@@ -92,25 +134,22 @@ def from_toml(_: Request, asked: Asked) -> dict[str, Any]:
 
 
 def kinds(_: Request, asked: Asked) -> dict[str, Any]:
-    """The kinds of panels with their sliders, and the media."""
-    return {"kinds": panel_kinds(), "media": media()}
-
-
-def xml_of(bsdf: Any) -> bytes:
-    """The bytes of a BSDF's XML."""
-    with tempfile.TemporaryDirectory(prefix="clerestory-") as folder:
-        written: bytes = bsdf.to_xml(Path(folder) / "bsdf.xml").read_bytes()
-    return written
+    """The kinds of panels with their sliders, the media, and panels to start from."""
+    return {"kinds": panel_kinds(), "media": media(), "presets": presets()}
 
 
 ROUTES = [
-    call("/api/panel/kinds", kinds, {}, gives=record({"kinds": listed(_KIND), "media": listed(TEXT)})),
+    call("/api/panel/kinds", kinds, {}, gives=_KINDS),
     call("/api/panel/section", section, _INCIDENCE, gives=_SECTION),
     call(
         "/api/panel/lobes",
         lobes,
-        {**_INCIDENCE, "side": Field(word("front", "back"), "Side that the light meets", "front")},
-        gives=record({"lobes": listed(_LOBE), "shares": record(dict.fromkeys(_SHARES, NUMBER))}),
+        {
+            **_INCIDENCE,
+            "detail": Field(word("full", "quick"), "All beams, or an answer at once, if need be by rays", "full"),
+            "most": Field(INTEGER, "Lobes in the answer at most, the strongest", None),
+        },
+        gives=_LOBES,
     ),
     call("/api/panel/toml", to_toml, {"panel": PANEL}, gives=record({"text": TEXT})),
     call(

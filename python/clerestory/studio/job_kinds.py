@@ -1,0 +1,38 @@
+"""What a kind of long job is asked with, and what becomes of its answers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from starlette.requests import Request
+
+from clerestory.studio.fields import Fields
+from clerestory.studio.requests import Asked
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of job.
+
+    Parameters
+    ----------
+    fields : Fields
+        What it is asked with, besides ``kind``.
+    check : callable
+        Makes of what was asked the arguments of the function of :mod:`clerestory.studio.work`; what is wrong is told
+        before the job waits in line.
+    finish : callable, optional
+        Makes of the application's state and the result what the page gets.
+    heard : callable, optional
+        Makes of the application's state, the arguments and what there is so far what the page gets of it.
+    is_slow : bool, default False
+        Whether it may take minutes: a process is then left for others.
+    """
+
+    fields: Fields
+    check: Callable[[Request, Asked], Asked]
+    finish: Callable[[Any, Any], Any] | None = None
+    heard: Callable[[Any, Asked, Any], Any] | None = None
+    is_slow: bool = False

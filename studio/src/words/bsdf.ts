@@ -1,0 +1,37 @@
+// Words of the BSDF view, in English.
+
+export const bsdf = {
+  compare: "Compare with a second BSDF",
+  names: { a: "BSDF A", b: "BSDF B" } as Record<string, string>,
+  dropInto: (slot: string) => `BSDF ${slot.toUpperCase()}: drop an XML here, or choose one`,
+  light: "Light",
+  scale: "Scale",
+  scales: { log: "logarithmic", linear: "linear" } as Record<string, string>,
+  numbers: "At this incidence",
+  numberHeads: ["", "Share", "Light from everywhere"],
+  curveTitle: "Shares against elevation",
+  curveHint: "Hemispherical: all that passes or comes back, of light from one direction each.",
+  discTitle: "Where the light goes",
+  files: "Save as",
+  formats: {
+    xml: "XML (WINDOW, Radiance)",
+    mtx: "Matrix (Radiance)",
+    epJSON: "EnergyPlus epJSON",
+    idf: "EnergyPlus IDF",
+    nc: "NetCDF",
+  } as Record<string, string>,
+  basis: "Basis of files",
+  asIs: "as it is",
+  missing: (word: string) => `The file does not hold ${word}.`,
+  blocks: {
+    transmission_front: "transmission of the front",
+    transmission_back: "transmission of the back",
+    reflection_front: "reflection of the front",
+    reflection_back: "reflection of the back",
+  } as Record<string, string>,
+  nothing: "Drop an XML file of anybody's here: from WINDOW, a goniophotometer, genBSDF, or a maker's site.",
+  valueAt: (theta: number, phi: number, value: string) => `${theta.toFixed(0)}° from the normal, at ${phi.toFixed(0)}°: ${value}`,
+  readHelp: "Hover, or use the arrow keys, to read values.",
+  pickHelp: "Click, or use the arrow keys, to choose where the light comes from.",
+  seen: "Directions in which the light travels, seen from the room: the normal in the middle, 90° at the rim.",
+};
