@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from clerestory.panels.angular import LONG_NAMES
+from clerestory.panels.optics import whole
 from clerestory.panels.section_beams import strips
 from clerestory.panels.wavelengths import samples
 from clerestory.plots.section_outline import outline
@@ -107,6 +108,7 @@ def lobes_of(panel: Panel, *, detail: str = "full", most: int | None = None, **i
         ``standard_errors`` of them and ``rays`` by rays, else null; ``is_full``: whether nothing finer can be asked;
         ``is_smooth``: False for a panel that only rays can follow.
     """
+    most = None if most is None else whole("most", most, 1)
     is_smooth = panel.native_profile.is_smooth
     if not is_smooth or (detail == "quick" and incidence.get("wavelength_nm") is None and not _PACE.is_quick(panel)):
         incidence.pop("wavelength_nm", None)
