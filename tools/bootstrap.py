@@ -268,6 +268,7 @@ def bench():
     do(PYTHON, os.path.join("benches", "peers", "bsdf_race.py"))
     do(PYTHON, os.path.join("benches", "peers", "year_race.py"))
     do(PYTHON, os.path.join("benches", "sweep", "scaling.py"))
+    do(PYTHON, os.path.join("benches", "studio", "dragging.py"))
 
 
 def wheel():

@@ -37,8 +37,8 @@ from clerestory.studio.warming import warm_beside
 
 #: The built page, which comes with the wheel.
 PAGE = Path(__file__).parent / "page"
-#: Short questions answered at once; more wait, so that long ones do not starve the rest.
-_THREADS = 4
+#: Light and heavy questions answered at once; more wait, each in their line.
+_THREADS, _HEAVY = 4, 2
 _ABOUT = record(
     {
         "version": TEXT,
@@ -61,6 +61,7 @@ def make_app(settings: Settings) -> Starlette:
     @contextlib.asynccontextmanager
     async def life(app: Starlette) -> AsyncIterator[None]:
         app.state.threads = anyio.CapacityLimiter(_THREADS)
+        app.state.heavy = anyio.CapacityLimiter(_HEAVY)
         # one file at a time is read, and none takes the threads of the short questions
         app.state.readers = anyio.CapacityLimiter(1)
         yield

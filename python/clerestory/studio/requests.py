@@ -69,29 +69,42 @@ def call(
     *,
     gives: Shape = TABLE,
     media: str = "application/json",
+    is_heavy: bool = False,
 ) -> Call:
-    """A question: a JSON object of ``fields``, answered in a thread with what ``work`` makes of it; mistakes as 422."""
-    return Call(
-        path, asking(work, lambda asked: checked(fields, asked)), takes=shape_of(fields), gives=gives, media=media
-    )
+    """A question: a JSON object of ``fields``, answered in a thread with what ``work`` makes of it; mistakes as 422.
+
+    Heavy ones, of more than some 20 ms, wait in a line of their own, so that the light ones do not wait for them.
+    """
+    endpoint = asking(work, lambda asked: checked(fields, asked), is_heavy=is_heavy)
+    return Call(path, endpoint, takes=shape_of(fields), gives=gives, media=media)
 
 
 def asking(
-    work: Callable[[Request, Asked], Any], check: Callable[[Asked], Asked] = lambda asked: asked
+    work: Callable[[Request, Asked], Any],
+    check: Callable[[Asked], Asked] = lambda asked: asked,
+    *,
+    is_heavy: bool = False,
 ) -> Callable[[Request], Any]:
     """An endpoint that answers a checked JSON object with what ``work`` makes of it."""
+
+    def answered(request: Request, asked: Asked) -> Response:
+        found = work(request, dict(asked))
+        return found if isinstance(found, Response) else answer(found)
 
     async def endpoint(request: Request) -> Response:
         asked: Asked = {}
         try:
             asked = check(await body(request))
-            limiter = request.app.state.threads
-            found = await anyio.to_thread.run_sync(lambda: work(request, dict(asked)), limiter=limiter)
+            state = request.app.state
+            async with state.heavy if is_heavy else state.threads:
+                if await request.is_disconnected():
+                    # nobody waits for it any more
+                    return Response(status_code=204)
+                return await anyio.to_thread.run_sync(answered, request, asked)
         except MisshapenError as error:
             return refused(422, str(error), error.field)
         except ClerestoryError as error:
             return refused(422, str(error), field_of(error, asked))
-        return found if isinstance(found, Response) else answer(found)
 
     endpoint.__name__ = work.__name__
     endpoint.__doc__ = work.__doc__

@@ -137,6 +137,7 @@ ROUTES = [
             "density": Field(INTEGER, "Points of each window from which paths are drawn [1..400]", None),
         },
         gives=PATHS,
+        is_heavy=True,
     ),
     call(
         "/api/room/light",
@@ -149,6 +150,7 @@ ROUTES = [
             "sun_rounds": Field(INTEGER, "Of the sun's light, if less is known of it [4..64]", None),
         },
         gives=LIGHT,
+        is_heavy=True,
     ),
     call("/api/room/toml", to_toml, {"room": ROOM}, gives=record({"text": TEXT})),
     call(

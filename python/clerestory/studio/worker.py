@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 from multiprocessing.connection import Connection
 from typing import Any
@@ -21,6 +22,9 @@ def serve_jobs(pipe: Connection) -> None:
     """
     # Ctrl-C is the server's to hear, which then ends its processes
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if hasattr(os, "nice"):
+        # who drags comes before what is computed beside
+        os.nice(5)
     from clerestory.studio import work
     from clerestory.studio.warming import warm
 
