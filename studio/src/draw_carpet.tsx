@@ -92,8 +92,12 @@ export function DrawCarpet({ carpet, label, months, hourWord, onlyUse, isDark, c
           {edges.slice(1).map((day) => (
             <path key={day} class="monthLine" d={`M${x(day)} ${y(number, 0)}v${-EACH}`} />
           ))}
-          <path class="sunLine" d={sun(carpet.sunrise, number)} />
-          <path class="sunLine" d={sun(carpet.sunset, number)} />
+          {[carpet.sunrise, carpet.sunset].map((hours, k) => (
+            <g key={k}>
+              <path class="sunLineBack" d={sun(hours, number)} />
+              <path class="sunLine" d={sun(hours, number)} />
+            </g>
+          ))}
           <rect class="carpetFrame" x={LEFT} y={number * block + TOP} width={inner} height={EACH} />
           {[0, 6, 12, 18, 24].map((hour) => (
             <text key={hour} class="small faint" x={LEFT - 7} y={y(number, hour)} text-anchor="end" dominant-baseline="central">

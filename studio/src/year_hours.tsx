@@ -41,7 +41,8 @@ export function YearHours({ told, shown, look, isDark }: Props) {
   const plan = hour.value && { ...hour.value, variants: hour.value.variants.filter((_, k) => shown.includes(k)) };
   const pick = ([to, up]: [number, number]) => whole && change("year", { day: whole.days[to], hour: (up + 0.5) * whole.step_h });
   const options = Object.entries(words.seriesNames).filter(([name]) => name !== "sensor" || look.sensor >= 0) as [string, string][];
-  const about = words.seriesNames[series];
+  const followed = series === "sensor" && plan ? plan.sensors.indexOf(look.sensor) : -1;
+  const about = plan && followed >= 0 ? words.place(plan.x[followed % plan.x.length].toFixed(2), plan.y[Math.floor(followed / plan.x.length)].toFixed(2)) : words.seriesNames[series];
   const carpetTable = () => {
     const table: Record<string, (number | string)[]> = { day: [], hour: [], in_use: [] };
     if (!carpet) return table;

@@ -277,7 +277,8 @@ def test_bad_files_are_refused_with_their_name_and_the_studio_lives_on(client: T
     cases: list[tuple[str, bytes, str]] = [
         ("empty.nc", b"", "no NetCDF"),
         ("text.nc", b"hello" * 100, "no NetCDF"),
-        ("cut.nc", whole[: len(whole) // 3], "cut.nc"),
+        ("cut.nc", whole[: len(whole) // 3], "cut off, or damaged"),
+        ("bytes.csv", b"\xff\xfe" * 30, "no text in UTF-8"),
         ("noise.nc", b"\x89HDF\r\n\x1a\n" + random.bytes(40_000), "noise.nc"),
         ("piece.nc", piece, "open the year.nc"),
         ("metrics.csv", (result_folder / "out/year/metrics.csv").read_bytes(), "year.nc beside it"),

@@ -91,7 +91,7 @@ def test_plans_are_read_by_pointer_and_keys(page: Any, studio: str, year: xr.Dat
     assert [float(one) for one in numbers] == pytest.approx(year["sunlit_hours"].values[:, at], abs=0.06)
     page.keyboard.press("Enter")
     page.wait_for_function(f"() => location.hash.includes('year.sensor={at}')")
-    page.get_by_role("heading", name="Hours of the year: one place of the plan").wait_for()
+    page.get_by_role("heading", name="Hours of the year: x 1.50 m, y 0.50 m").wait_for()
     # a difference is the other's less this one's
     page.get_by_label("View").select_option("difference")
     figure = page.locator('section.figure[aria-label="Hours with direct sun: panel above less glass"]')
@@ -185,7 +185,7 @@ def test_a_year_is_run_from_the_page_and_stopped(page: Any, own: Path) -> None:
     page.get_by_role("tab", name="Panel").click()
     page.get_by_role("tab", name="Year").click()
     page.get_by_role("button", name="Stop").click()
-    page.get_by_text("running it again goes on").first.wait_for()
+    page.get_by_text("stopped; run it again to go on").wait_for()
     assert not (own / "out/long/year.nc").exists()
     assert run.is_enabled()
 

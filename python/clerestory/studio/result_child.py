@@ -48,6 +48,11 @@ def serve_files(pipe: Connection) -> None:
             heading, arrays = {"refused": str(error)}, []
         except MemoryError:
             heading, arrays = {"refused": "it needs more memory than the studio gives one file"}, []
+        except (OSError, EOFError):
+            # "[Errno -101] NetCDF: HDF error" says nothing to a reader
+            heading, arrays = {"refused": "it is no whole file of its kind: it may have been cut off, or damaged"}, []
+        except UnicodeDecodeError:
+            heading, arrays = {"refused": "it is no text in UTF-8, as a CSV file of a result is"}, []
         except Exception as error:
             # whatever a library makes of a broken file is an answer, not a fault
             said = " ".join(str(error).split())[:160]
