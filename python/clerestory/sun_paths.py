@@ -215,13 +215,14 @@ def _windows(around: Surroundings, seen: Sequence[Sunlight], towards: Array) -> 
 
 def _entering(window: WindowFrame, towards: Array) -> float:
     way = window.inward(-towards)
-    beams = sum(power for direction, power, _ in window.lobes(-towards, 0.0) if direction @ window.axes[2] > 0.0)
+    directions, powers, _ = window.solved(-towards)
+    beams = float(powers[directions[:, 2] > 0.0].sum())
     if window.glazing.spreads:
         drawn = np.asarray(window.glazing.scatter(np.tile(way, (512, 1)), 0))
         leaves = drawn[~np.isnan(drawn[:, 0])]
         if len(leaves):
             beams += float(np.asarray(window.glazing.spread(way[None]))[0]) * float((leaves[:, 2] > 0.0).mean())
-    return float(beams)
+    return beams
 
 
 def _kinds(turned: Any, mirrored: Any) -> Any:

@@ -4,7 +4,10 @@ import copy
 import random
 from typing import Any
 
+from clerestory.studio.room_asked import asked_room
 from clerestory.studio.room_kinds import start_tables
+from clerestory.studio.room_planes import plane_sensors
+from clerestory.studio.room_work import one_pass
 
 ODD: list[Any] = [None, True, 0, -1, 1.5, 1e300, -1e300, 1e-300, "", "x" * 300, "glass", [], [[]], {}, [1, 2, 3]]
 ODD += [[[0, 0, 0]], {"kind": "glass"}, "2026-01-01", [None], ["glass", 3], 10**12, {"a": {}}, [{}], "\0", "../x"]
@@ -58,3 +61,22 @@ def test_glazings_that_hold_themselves_are_refused(rooms: Any) -> None:
     answer = rooms.post("/api/room/scene", json={"room": {"tables": tables}})
     assert answer.status_code == 422
     assert "must not hold" in answer.json()["errors"][0]["message"]
+
+
+def test_odd_questions_about_light_are_answered_or_refused_in_words(rooms: Any) -> None:
+    asked = asked_room(rooms.app.state, {"room": {"tables": start_tables()}})
+    sensors, _ = plane_sensors(asked.room(), "on back", 1.0)
+    kept = rooms.app.state.room_shelf.place(asked, None, sensors, "tregenza145")
+    rooms.app.state.room_shelf.add(kept.key, 0, (one_pass(asked.room(), sensors, "tregenza145", 0, 64)[0], 0.1))
+    sky = {"kind": "cie", "sky_type": 12, "luminous_turbidity": 4.0, "diffuse_horizontal_illuminance_lx": 1e4}
+    good = {"key": kept.key, "day_of_year": 172, "hour": 11.0, "sky": sky, "sun_rounds": 4}
+    chance, answered = random.Random(5), 0
+    for _ in range(150):
+        question = copy.deepcopy(good)
+        holder, name = chance.choice(places(question))
+        holder[name] = copy.deepcopy(chance.choice([*ODD, "weather", "overcast", 2, 16]))
+        answer = rooms.post("/api/room/light", json=question)
+        assert answer.status_code in (200, 422), (question, answer.text)
+        assert answer.status_code == 200 or answer.json()["errors"][0]["message"]
+        answered += answer.status_code == 200
+    assert 5 < answered < 100

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
@@ -26,6 +26,7 @@ class WindowFrame:
     axes: Array
     outline: Array
     glazing: _native.Glazing
+    _solved: dict[bytes, tuple[Array, Array, Indices]] = field(default_factory=dict)
 
     @property
     def corner(self) -> Array:
@@ -50,11 +51,19 @@ class WindowFrame:
         least_power : float
             Weaker ones are left out.
         """
-        way = self.inward(direction)
-        directions, powers, turned, _, _ = self.glazing.lobes(np.ascontiguousarray(way[None] / np.linalg.norm(way)))
-        for k in np.argsort(-np.asarray(powers), kind="stable"):
-            if powers[k] >= least_power:
-                yield self.outward(np.asarray(directions[k])), float(powers[k]), int(turned[k])
+        directions, powers, turned = self.solved(direction)
+        strong = np.flatnonzero(powers >= least_power)
+        for k in strong[np.argsort(-powers[strong], kind="stable")]:
+            yield self.outward(directions[k]), float(powers[k]), int(turned[k])
+
+    def solved(self, direction: Array) -> tuple[Array, Array, Indices]:
+        """Directions in the window's axes, powers and total reflections of all beams, found once for a direction."""
+        key = np.asarray(direction).round(12).tobytes()
+        if key not in self._solved:
+            way = self.inward(direction)
+            found = self.glazing.lobes(np.ascontiguousarray(way[None] / np.linalg.norm(way)))
+            self._solved[key] = (np.asarray(found[0]), np.asarray(found[1]), np.asarray(found[2], dtype=np.int64))
+        return self._solved[key]
 
 
 class Surroundings:

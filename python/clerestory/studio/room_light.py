@@ -18,6 +18,8 @@ from clerestory.studio.room_work import sun_pass
 
 #: Rounds of the sun's light without a wait, those of one pass, and the most that may be asked for.
 _SUN_ROUNDS, _PASS_ROUNDS, _MOST_SUN_ROUNDS = 4, 2, 64
+#: A pass that takes longer is the last that is waited for [s].
+_SLOW_S = 0.25
 #: Suns closer than this are one [degrees].
 _SUN_DIGITS = 4
 
@@ -117,9 +119,12 @@ def sun_pool(shelf: RoomShelf, kept: Kept, sun: Sun, rounds: int) -> Pool:
     """What is known of one sun's light; computed now as far as it is less than asked for."""
     known = shelf.sun(kept, sun)
     room = kept.asked.room(kept.variant)
-    while known.rounds < rounds:
-        cpu = time.thread_time()
+    is_slow = False
+    # a window of thousands of beams is not waited for twice
+    while known.rounds < rounds and not (is_slow and known.passes):
+        began, cpu = time.perf_counter(), time.thread_time()
         batch = sun_pass(room, kept.sensors, sun, known.passes, _PASS_ROUNDS)
         pooled = (batch, time.thread_time() - cpu)
         known = shelf.add_sun(kept.key, sun, known.passes, pooled) or known.with_batch(*pooled)
+        is_slow = time.perf_counter() - began > _SLOW_S
     return known

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -73,17 +74,17 @@ def moment_of(asked: AskedRoom, values: Any, day_of_year: Any, hour: Any) -> Mom
     if site is None:
         raise ClerestoryError("sky must be that of a weather file, or the room have a [site]")
     sky_type = TRADITIONAL_OVERCAST if kind == "overcast" else whole("sky_type", values.get("sky_type"), 1, 16)
-    return _of_cie(site, sky_type, values, moment(site, day_of_year, hour))
-
-
-def _of_cie(site: Site, sky_type: int, values: dict[str, Any], now: pd.Timestamp) -> Moment:
     given = values.get("diffuse_horizontal_illuminance_lx")
-    turbidity = values.get("luminous_turbidity", 4.0)
-    altitude, azimuth = (float(one[0]) for one in altitude_azimuth(site, [now]))
+    turbidity = not_negative("luminous_turbidity", values.get("luminous_turbidity", 4.0))
     if given is not None:
-        not_negative("diffuse_horizontal_illuminance_lx", given)
+        given = not_negative("diffuse_horizontal_illuminance_lx", given)
+    return _of_cie(site, sky_type, given, turbidity, moment(site, day_of_year, hour))
+
+
+@lru_cache(maxsize=256)
+def _of_cie(site: Site, sky_type: int, given: float | None, turbidity: float, now: pd.Timestamp) -> Moment:
+    altitude, azimuth = (float(one[0]) for one in altitude_azimuth(site, [now]))
     if altitude <= 0.0:
-        not_negative("luminous_turbidity", turbidity)
         return Moment(None, altitude, azimuth, 0.0, 0.0, "night: the sun is below the horizon")
     direct = 0.0
     if shows_sun(sky_type):
