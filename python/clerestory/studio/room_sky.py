@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 
 from clerestory.errors import ClerestoryError
-from clerestory.rules import not_negative, one_of
+from clerestory.rules import not_negative, one_of, within
 from clerestory.site import Site
 from clerestory.sky.availability import shows_sun, usual_diffuse_horizontal_lx
 from clerestory.sky.cie import TRADITIONAL_OVERCAST
@@ -23,6 +23,8 @@ from clerestory.studio.room_weather import weather_of
 from clerestory.sunlight import direct_normal_illuminance_lx
 from clerestory.weather import Weather
 
+#: No sky is brighter than the sun outside the air [lx].
+_MOST_LX = 200_000.0
 #: Fields of each kind of sky.
 FIELDS: dict[str, tuple[str, ...]] = {
     "cie": ("sky_type", "luminous_turbidity", "diffuse_horizontal_illuminance_lx"),
@@ -77,7 +79,7 @@ def moment_of(asked: AskedRoom, values: Any, day_of_year: Any, hour: Any) -> Mom
     given = values.get("diffuse_horizontal_illuminance_lx")
     turbidity = not_negative("luminous_turbidity", values.get("luminous_turbidity", 4.0))
     if given is not None:
-        given = not_negative("diffuse_horizontal_illuminance_lx", given)
+        given = within("diffuse_horizontal_illuminance_lx", given, 0.0, _MOST_LX)
     return _of_cie(site, sky_type, given, turbidity, moment(site, day_of_year, hour))
 
 
