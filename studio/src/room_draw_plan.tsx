@@ -58,7 +58,7 @@ export function DrawPlan({ plane, flat, values, scale, unit, picked, isStale, ha
             const isBright = share(scale, values[k]) > 0.55;
             return (
               <text key={k} class="value" fill={isBright ? "#10161c" : "#ffffff"} style={{ fill: isBright ? "#10161c" : "#ffffff" }} font-size={Math.min(12, cell * 0.34)} x={x} y={y} text-anchor="middle" dominant-baseline="central" pointer-events="none">
-                {written(values[k])}
+                {values[k] < 1 ? Number(values[k].toFixed(2)) : written(values[k])}
               </text>
             );
           })

@@ -31,7 +31,8 @@ export function drawLight(light: LightPaths, windows: RoomWindow[], shown: Light
         group.add(lines);
       });
   if (shown.patches) drawPatches(light, look, shown).forEach((one) => group.add(one));
-  if (shown.beams) light.beams.forEach((beam, k) => isShown(beam, shown) && group.add(drawShaft(light.patches.filter((one) => one.beam === k), beam, look)));
+  const strongest = Math.max(...light.patches.map((one) => one.illuminance_per_normal), 1e-9);
+  if (shown.beams) light.beams.forEach((beam, k) => isShown(beam, shown) && group.add(drawShaft(light.patches.filter((one) => one.beam === k), beam, strongest, look)));
   return group;
 }
 
@@ -67,18 +68,21 @@ function piecesOf(light: LightPaths, windows: RoomWindow[]): Piece[] {
 const isShown = (beam: LightBeam, shown: LightShown) => (beam.total_reflections > 0 ? shown.redirected : shown.direct);
 const beamColour = (beam: LightBeam | undefined, look: Look) => pathColour(beam && beam.total_reflections > 0 ? "redirected" : "direct", look.isDark);
 
+/** How strongly a share of the strongest light is drawn: weak light is to be seen, and to be seen as weak. */
+const told = (share: number) => Math.min(1, Math.max(share, 0)) ** 0.6;
+
 /** The sides of a beam from its window to where it lands, as strong as the light in it. */
-function drawShaft(patches: Patch[], beam: LightBeam, look: Look): Group {
+function drawShaft(patches: Patch[], beam: LightBeam, strongest: number, look: Look): Group {
   const group = new Group();
   if (!patches.length) return group;
   const colour = beamColour(beam, look);
-  const strength = Math.min(1, Math.max(...patches.map((one) => one.illuminance_per_normal)));
+  const strength = told(Math.max(...patches.map((one) => one.illuminance_per_normal)) / strongest);
   const sides = patches.flatMap(({ polygon, source }) => polygon.map((_, k): Vec[] => [source[k], source[(k + 1) % source.length], polygon[(k + 1) % polygon.length], polygon[k]]));
   const outer = alone(sides, (side) => [side[3], side[2]]);
-  const mesh = faces(outer.flatMap(fan), colour, { opacity: (look.isDark ? 0.1 : 0.13) * (0.4 + 0.6 * strength), isDouble: true });
+  const mesh = faces(outer.flatMap(fan), colour, { opacity: (look.isDark ? 0.1 : 0.15) * strength, isDouble: true });
   (mesh.material as MeshBasicMaterial).blending = look.isDark ? AdditiveBlending : NormalBlending;
   mesh.renderOrder = 3;
-  const edges = segments(outer.map((side): [Vec, Vec] => [side[0], side[3]]), { colour, width: 1, opacity: 0.4 });
+  const edges = segments(outer.map((side): [Vec, Vec] => [side[0], side[3]]), { colour, width: 1, opacity: 0.45 * strength });
   edges.renderOrder = 3;
   group.add(mesh, edges);
   return group;
@@ -92,12 +96,12 @@ function drawPatches(light: LightPaths, look: Look, shown: LightShown): Group[] 
     if (!own.length || !isShown(beam, shown)) return group;
     const colour = beamColour(beam, look);
     for (const patch of own) {
-      const mesh = faces(fan(patch.polygon), colour, { opacity: 0.2 + 0.5 * Math.sqrt(patch.illuminance_per_normal / most), isDouble: true, lifts: -2 });
+      const mesh = faces(fan(patch.polygon), colour, { opacity: 0.05 + 0.65 * told(patch.illuminance_per_normal / most), isDouble: true, lifts: -2 });
       mesh.renderOrder = 1;
       group.add(mesh);
     }
     const rim = alone(own.flatMap((one) => joined(one.polygon, true)), (ends) => ends);
-    const edges = segments(rim, { colour, width: 1.4, opacity: 0.9 });
+    const edges = segments(rim, { colour, width: 1.4, opacity: 0.1 + 0.8 * told(own[0].illuminance_per_normal / most) });
     edges.renderOrder = 1;
     group.add(edges);
     return group;

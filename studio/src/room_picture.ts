@@ -14,8 +14,8 @@ export interface Caption {
 export function captioned(picture: HTMLCanvasElement, caption: Caption, look: Look): HTMLCanvasElement {
   const made = document.createElement("canvas");
   const scale = Math.max(picture.width / 1000, 0.6);
-  const foot = 74 * scale;
-  [made.width, made.height] = [picture.width, Math.round(picture.height + foot)];
+  const [head, foot] = [(36 + 18 * caption.lines.length) * scale, 74 * scale];
+  [made.width, made.height] = [picture.width, Math.round(head + picture.height + foot)];
   const pen = made.getContext("2d") as CanvasRenderingContext2D;
   const write = (text: string, x: number, y: number, size: number, colour = look.ink, weight = 400, align: CanvasTextAlign = "left") => {
     pen.font = `${weight} ${size * scale}px system-ui, "Segoe UI", Roboto, Arial, sans-serif`;
@@ -25,11 +25,11 @@ export function captioned(picture: HTMLCanvasElement, caption: Caption, look: Lo
   };
   pen.fillStyle = look.ground;
   pen.fillRect(0, 0, made.width, made.height);
-  pen.drawImage(picture, 0, 0);
-  write(caption.title, 16 * scale, 30 * scale, 17, look.ink, 600);
-  caption.lines.forEach((line, k) => write(line, 16 * scale, (50 + 18 * k) * scale, 13, look.faint));
+  pen.drawImage(picture, 0, head);
+  write(caption.title, 16 * scale, 26 * scale, 17, look.ink, 600);
+  caption.lines.forEach((line, k) => write(line, 16 * scale, (46 + 18 * k) * scale, 13, look.faint));
   let x = 16 * scale;
-  const base = picture.height + 30 * scale;
+  const base = head + picture.height + 30 * scale;
   for (const one of caption.legend) {
     pen.strokeStyle = pathColour(one.kind, look.isDark);
     pen.lineWidth = 3 * scale;

@@ -46,7 +46,7 @@ export function drawSunPaths(sun: SunTold, year: SunYear, dome: Dome, look: Look
   put(year.analemmas.flatMap((one) => arc(one.points)), 1, look.hair, 0.45);
   const others = year.seasons.filter((one) => !isSame(one.points, sun.day));
   put(others.flatMap((one) => arc(one.points)), 1.2, look.faint, 0.6);
-  for (const season of year.seasons) {
+  for (const season of others) {
     const there = named(season.points);
     if (there) group.add(label(season.label, plus(dome.centre, there.direction, 1.05 * dome.radius), look.faint, look.halo, 12, 500));
   }

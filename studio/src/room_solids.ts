@@ -15,25 +15,23 @@ const HATCH_M = 0.06;
 
 export function drawRoom(scene: RoomScene, look: Look): Group {
   const group = new Group();
-  const [low, high] = scene.inside_m;
+  const isOut = (surface: RoomSurface) => scene.windows.some((one) => surface.outlines.flat().every((corner) => dot(minus(corner, one.outline_m[0]), one.normal) < 0.02));
+  const all = scene.surfaces.filter((one) => one.kind !== "window");
+  const inside = all.filter((one) => !isOut(one));
+  const corners = inside.flatMap((one) => one.outlines.flat());
   const seen = scene.planes.flatMap((one) => one.points_m);
-  const most = Math.max(...scene.surfaces.map(areaOf));
-  for (const surface of scene.surfaces) {
-    if (surface.kind === "window") continue;
-    const isOut = scene.windows.some((one) => surface.outlines.flat().every((corner) => dot(minus(corner, one.outline_m[0]), one.normal) < 0.02));
-    if (isOut) {
-      group.add(faces(surface.triangles, look.outside, { opacity: 0.16, isDouble: true }));
-      group.add(segments(surface.outlines.flatMap((loop) => joined(loop, true)), { colour: look.outside, width: 1, opacity: 0.7 }));
-      continue;
-    }
-    group.add(drawSurface(surface, look, seen.length ? seen : [middle([low, high])], [low, high], areaOf(surface) >= LARGE * most));
+  const most = Math.max(...inside.map(areaOf));
+  for (const surface of all.filter(isOut)) {
+    group.add(faces(surface.triangles, look.outside, { opacity: 0.16, isDouble: true }));
+    group.add(segments(surface.outlines.flatMap((loop) => joined(loop, true)), { colour: look.outside, width: 1, opacity: 0.7 }));
   }
+  for (const surface of inside) group.add(drawSurface(surface, look, seen.length ? seen : [middle(scene.inside_m)], corners, areaOf(surface) >= LARGE * most));
   for (const window of scene.windows) group.add(drawWindow(window, look));
   return group;
 }
 
 /** A side of the room is seen from within alone, so that one always looks in; a thing in the room from both sides. */
-function drawSurface(surface: RoomSurface, look: Look, seen: Vec[], [low, high]: [Vec, Vec], isLarge: boolean): Group {
+function drawSurface(surface: RoomSurface, look: Look, seen: Vec[], all: Vec[], isLarge: boolean): Group {
   const group = new Group();
   const shade = new Color(look.walls[0]).lerp(new Color(look.walls[1]), Math.min((surface.diffuse ?? 0.5) + (surface.specular ?? 0), 0.9) / 0.9);
   const corners = surface.outlines.flat();
@@ -42,7 +40,7 @@ function drawSurface(surface: RoomSurface, look: Look, seen: Vec[], [low, high]:
   const centre = middle(corners);
   const side = seen.reduce((sum, point) => sum + dot(minus(point, centre), normal) / Math.max(long(minus(point, centre)), 0.1) ** 3, 0);
   const inwards = side > 0 ? normal : plus([0, 0, 0], normal, -1);
-  const reach = Math.min(...[low, high].flatMap((x) => [low, high].flatMap((y) => [low, high].map((z) => dot(minus([x[0], y[1], z[2]], corners[0]), inwards)))));
+  const reach = Math.min(...all.map((corner) => dot(minus(corner, centre), inwards)));
   const isSide = isLarge || reach > -WALL_M;
   // light from one side makes edges plain
   const tone = 1 - 0.035 * (1 + dot(inwards, unit([0.3, 0.9, -0.4])));

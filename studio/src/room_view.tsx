@@ -46,19 +46,21 @@ export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
   const isMatching = plane !== null && told !== null && light.value?.plane === plane.name && told.values.length === plane.points_m.length;
   const field: Field | null = isMatching && scale ? { plane, values: told.values, scale, isStale, picked: room.picked } : null;
   const eye = useMemo(() => eyeFrom(room, scene.value, aspect), [room.view, room.eye, scene.value, aspect]);
+  // a sky without sun lets no sunlight in, wherever the sun stands
+  const isHidden = light.value !== null && light.value.outside.direct_normal_lx === 0;
+  const when = `${said.date(room.day)}, ${said.clock(room.minute)}`;
+  const sunWords = sun.value ? (sun.value.is_up ? said.sunUp(sun.value.altitude_deg, sun.value.azimuth_deg) + (isHidden ? said.sunHidden : "") : said.sunDown) : "";
   const staged = {
     scene: scene.value,
     sun: sun.value,
     year: asked.year.value,
-    light: sun.value?.is_up ? paths.value : null,
+    light: sun.value?.is_up && !isHidden ? paths.value : null,
     field,
     shown: { direct: room.straight, redirected: room.redirected, reflected: room.reflected, beams: room.beams, patches: room.patches, sunPath: room.sunPath, field: room.field },
     eye,
     look,
     words: { compass: said.compass, hour: (hour: number) => `${hour} h` },
   };
-  const when = `${said.date(room.day)}, ${said.clock(room.minute)}`;
-  const sunWords = sun.value ? (sun.value.is_up ? said.sunUp(sun.value.altitude_deg, sun.value.azimuth_deg) : said.sunDown) : "";
   const numbers = told && plane ? said.numbersText(plane.name, written(told.mean), written(told.least), written(told.most), unit) : said.noNumbers;
   const title = scene.value?.name ?? said.room;
   const setView = (name: EyeName) => put({ view: name, eye: [] });

@@ -79,6 +79,7 @@ export const room = {
   },
   clock: (minute: number) => `${String(Math.floor(minute / 60)).padStart(2, "0")}:${String(Math.round(minute % 60)).padStart(2, "0")}`,
   sunUp: (altitude: number, azimuth: number) => `sun ${altitude.toFixed(1)}° high, at ${azimuth.toFixed(0)}° (${["N", "NE", "E", "SE", "S", "SW", "W", "NW"][Math.round(azimuth / 45) % 8]})`,
+  sunHidden: ", hidden by this sky",
   sunDown: "the sun is below the horizon",
   sunrise: "sunrise",
   sunset: "sunset",
