@@ -25,8 +25,10 @@ interface Props {
 export function YearHours({ told, shown, look, isDark }: Props) {
   const [cursor, setCursor] = useState<[number, number] | null>(null);
   const [cell, setCell] = useState(-1);
-  const series = look.series === "sensor" && look.sensor < 0 ? "mean" : look.series in words.seriesNames ? look.series : "mean";
-  const asked = { key: told.key, series, ...(series === "sensor" ? { sensor: look.sensor } : {}) };
+  // another result may have fewer sensors
+  const sensor = look.sensor < told.planes.reduce((sum, one) => sum + one.count, 0) ? look.sensor : -1;
+  const series = look.series === "sensor" && sensor < 0 ? "mean" : look.series in words.seriesNames ? look.series : "mean";
+  const asked = { key: told.key, series, ...(series === "sensor" ? { sensor } : {}) };
   const answer = useAnswer<Carpet>("/api/result/carpet", asked);
   const months = useAnswer<Months>("/api/result/months", asked);
   const whole = answer.value;
@@ -40,8 +42,8 @@ export function YearHours({ told, shown, look, isDark }: Props) {
   const hour = useAnswer<HourPlan>("/api/result/hour", at && grids.length ? { key: told.key, ...at, ...(grids.some((one) => one.name === look.plane) ? { plane: look.plane } : {}) } : null);
   const plan = hour.value && { ...hour.value, variants: hour.value.variants.filter((_, k) => shown.includes(k)) };
   const pick = ([to, up]: [number, number]) => whole && change("year", { day: whole.days[to], hour: (up + 0.5) * whole.step_h });
-  const options = Object.entries(words.seriesNames).filter(([name]) => name !== "sensor" || look.sensor >= 0) as [string, string][];
-  const followed = series === "sensor" && plan ? plan.sensors.indexOf(look.sensor) : -1;
+  const options = Object.entries(words.seriesNames).filter(([name]) => name !== "sensor" || sensor >= 0) as [string, string][];
+  const followed = series === "sensor" && plan ? plan.sensors.indexOf(sensor) : -1;
   const about = plan && followed >= 0 ? words.place(plan.x[followed % plan.x.length].toFixed(2), plan.y[Math.floor(followed / plan.x.length)].toFixed(2)) : words.seriesNames[series];
   const carpetTable = () => {
     const table: Record<string, (number | string)[]> = { day: [], hour: [], in_use: [] };
@@ -74,7 +76,7 @@ export function YearHours({ told, shown, look, isDark }: Props) {
           <input type="checkbox" checked={look.onlyUse} onChange={(event) => change("year", { onlyUse: event.currentTarget.checked })} />
           {words.onlyUse}
         </label>
-        {look.sensor < 0 && <p class="hint">{words.pickFirst}</p>}
+        {sensor < 0 && <p class="hint">{words.pickFirst}</p>}
       </section>
       <Faults faults={answer.faults} />
       {carpet && (
@@ -102,7 +104,7 @@ export function YearHours({ told, shown, look, isDark }: Props) {
         {plan && (
           <Figure name="hour" title={words.oneHour(timeSaid(plan.time))} hint={skySaid(plan, shown, told)} table={() => planTable(plan)}>
             <div class={hour.isStale ? "stale" : ""}>
-              <DrawPlans plan={plan} label={`${words.oneHour(timeSaid(plan.time))}. ${words.illuminance}.`} scaleLabel="lx" windowWord={words.window} cursor={cell} picked={plan.sensors.indexOf(look.sensor)} most={620} onMove={setCell} onPick={(to) => change("year", { sensor: plan.sensors[to] ?? -1, series: "sensor" })} />
+              <DrawPlans plan={plan} label={`${words.oneHour(timeSaid(plan.time))}. ${words.illuminance}.`} scaleLabel="lx" windowWord={words.window} cursor={cell} picked={plan.sensors.indexOf(sensor)} most={620} onMove={setCell} onPick={(to) => change("year", { sensor: plan.sensors[to] ?? -1, series: "sensor" })} />
             </div>
             <p class="readout" role="status">
               {cell >= 0 && cell < plan.sensors.length ? readout(plan, cell) : `${words.ends}, lx`}
