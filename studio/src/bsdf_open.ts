@@ -13,6 +13,7 @@ export interface Opened {
   told: BsdfTold | null;
   key: string;
   faults: Fault[];
+  isReading: boolean;
   choose: (path: string) => void;
   drop: (file: File | undefined) => Promise<void>;
 }
@@ -21,27 +22,34 @@ export interface Opened {
 export function useOpened(slot: Slot, look: BsdfState): Opened {
   const [told, setTold] = useState<BsdfTold | null>(null);
   const [faults, setFaults] = useState<Fault[]>([]);
+  const [isReading, setIsReading] = useState(false);
   const isFirst = slot === "a";
   const [path, key] = isFirst ? [look.path, look.key] : [look.otherPath, look.otherKey];
   const put = (path: string, key: string) => change("bsdf", isFirst ? { path, key } : { otherPath: path, otherKey: key });
   const took = (found: BsdfTold, path: string) => {
     setTold(found);
     setFaults([]);
+    setIsReading(false);
     put(path, found.key);
     const bands = Object.keys(found.bands);
     if (isFirst && !bands.includes(look.band)) change("bsdf", { band: bands[0] });
   };
-  const refuse = (fault: unknown) => setFaults((fault as Refused).faults ?? [{ field: null, message: String(fault) }]);
+  const refuse = (fault: unknown) => {
+    setIsReading(false);
+    setFaults((fault as Refused).faults ?? [{ field: null, message: String(fault) }]);
+  };
   useEffect(() => {
     if (told && told.key === key) return;
     if (!key && !path) return;
+    setIsReading(true);
     ask<BsdfTold>("/api/bsdf/open", path ? { path } : { key }).then(
       (found) => took(found, path),
-      (fault) => (path ? refuse(fault) : setFaults([{ field: null, message: words.gone }])),
+      (fault) => refuse(path ? fault : { faults: [{ field: null, message: words.gone }] }),
     );
   }, [key, path]);
   const drop = async (file: File | undefined) => {
     if (!file) return;
+    setIsReading(true);
     try {
       took(await send<BsdfTold>(`/api/bsdf?name=${encodeURIComponent(file.name)}`, file), "");
     } catch (fault) {
@@ -51,5 +59,5 @@ export function useOpened(slot: Slot, look: BsdfState): Opened {
     }
   };
   const isOpen = told !== null && told.key === key;
-  return { told: isOpen ? told : null, key: isOpen ? key : "", faults, choose: (path) => path && put(path, ""), drop };
+  return { told: isOpen ? told : null, key: isOpen ? key : "", faults, isReading, choose: (path) => path && put(path, ""), drop };
 }

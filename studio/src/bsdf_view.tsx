@@ -86,6 +86,11 @@ function OpenInputs({ slot, opened, files, look, isOver }: { slot: Slot; opened:
         <input type="file" accept=".xml,.nc" onChange={(event) => void opened.drop(chosen(event))} />
       </label>
       {files.length > 0 && <ChoiceInput id={slot === "a" ? "file" : "file-b"} label={words.files} value={path} options={[["", words.chooseFile], ...files.map((file): [string, string] => [file, file])]} onChange={opened.choose} />}
+      {opened.isReading && (
+        <p class="hint" role="status">
+          {said.reading}
+        </p>
+      )}
       <Faults faults={opened.faults} />
     </>
   );

@@ -130,3 +130,14 @@ def test_a_fault_in_a_job_or_in_what_becomes_of_it_is_told_and_ends_no_worker(cl
         assert ended(client, job.key)[-1]["state"] == "failed"
         assert "a fault of the program" in job.errors[0]["message"]
     assert ended(client, started(client, kind="angular", panel=IDEAL))[-1]["state"] == "done"
+
+
+def test_a_job_of_a_page_that_was_closed_ends_alone(client: Any) -> None:
+    key = started(client, kind="angular", panel=SLOW)
+    with client.stream("GET", f"/api/jobs/{key}/events") as stream:
+        next(stream.iter_lines())
+    before = time.monotonic()
+    while client.get(f"/api/jobs/{key}").json()["state"] not in ("cancelled", "done"):
+        assert time.monotonic() - before < 20.0
+        time.sleep(0.1)
+    assert client.get(f"/api/jobs/{key}").json()["state"] == "cancelled"

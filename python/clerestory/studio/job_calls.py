@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import AsyncIterator
 from typing import Any
 
@@ -13,12 +14,14 @@ from clerestory.studio import panel_jobs, room_jobs, year_calls
 from clerestory.studio.answers import answer, refused, written
 from clerestory.studio.fields import Field, Fields, checked, shape_of
 from clerestory.studio.job_kinds import Kind
-from clerestory.studio.jobs import Job
+from clerestory.studio.jobs import Job, Jobs
 from clerestory.studio.requests import Asked, Call, asking
 from clerestory.studio.shapes import ANYTHING, NUMBER, TEXT, MisshapenError, fit, listed, maybe, record, word
 
 #: Seconds between looks at a job, and between signs of life to the page.
 _LOOK, _SIGN = 0.05, 10.0
+#: Seconds that a job goes on without a follower, if it ends alone.
+_ALONE = 3.0
 
 
 #: The kinds of jobs; each has a function of the same name in :mod:`clerestory.studio.work`.
@@ -86,7 +89,25 @@ async def follow(request: Request) -> Response:
     if job is None:
         return refused(404, "there is no such job (any more): start it again", "job")
     headers = {"cache-control": "no-store", "x-accel-buffering": "no"}
-    return StreamingResponse(_events(job), media_type="text/event-stream", headers=headers)
+    events = _watched(request.app.state.jobs, job) if KINDS[job.kind].ends_alone else _events(job)
+    return StreamingResponse(events, media_type="text/event-stream", headers=headers)
+
+
+async def _watched(jobs: Jobs, job: Job) -> AsyncIterator[str]:
+    """The events of a job that ends a little after its last follower is gone."""
+    job.followers += 1
+    try:
+        async for event in _events(job):
+            yield event
+    finally:
+        job.followers -= 1
+        if not job.followers and not job.is_over:
+            asyncio.get_running_loop().call_later(_ALONE, _end_alone, jobs, job)
+
+
+def _end_alone(jobs: Jobs, job: Job) -> None:
+    if not job.followers:
+        jobs.cancel(job.key)
 
 
 async def _events(job: Job) -> AsyncIterator[str]:

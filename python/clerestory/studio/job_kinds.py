@@ -29,6 +29,8 @@ class Kind:
         Makes of the application's state, the arguments and what there is so far what the page gets of it.
     is_slow : bool, default False
         Whether it may take minutes: a process is then left for others.
+    ends_alone : bool, default False
+        Whether it ends when nobody follows it any more, as when its page is closed.
     """
 
     fields: Fields
@@ -36,3 +38,4 @@ class Kind:
     finish: Callable[[Any, Any], Any] | None = None
     heard: Callable[[Any, Asked, Any], Any] | None = None
     is_slow: bool = False
+    ends_alone: bool = False

@@ -41,6 +41,7 @@ class Job:
     finish: Callable[[Any], Any]
     heard: Callable[[Any], Any]
     is_slow: bool = False
+    followers: int = 0
     key: str = field(default_factory=lambda: secrets.token_urlsafe(9))
     state: str = "waiting"
     done: float = 0.0

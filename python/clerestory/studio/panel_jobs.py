@@ -33,10 +33,15 @@ def _partly_shelved(state: Any, _: Asked, partial: dict[str, Any]) -> dict[str, 
     return partial
 
 
+_INCIDENCE = {"panel": PANEL, "elevation_deg": ELEVATION, "azimuth_deg": AZIMUTH, "side": SIDE}
 KINDS: dict[str, Kind] = {
-    "angular": Kind({"panel": PANEL, "azimuth_deg": AZIMUTH, "side": SIDE}, _of_panel),
-    "walk": Kind({"panel": PANEL, "elevation_deg": ELEVATION, "azimuth_deg": AZIMUTH, "side": SIDE}, _of_panel),
-    "dispersion": Kind({"panel": PANEL, "elevation_deg": ELEVATION, "azimuth_deg": AZIMUTH, "side": SIDE}, _of_panel),
+    "angular": Kind({"panel": PANEL, "azimuth_deg": AZIMUTH, "side": SIDE}, _of_panel, ends_alone=True),
+    "walk": Kind(
+        {"panel": PANEL, "elevation_deg": ELEVATION, "azimuth_deg": AZIMUTH, "side": SIDE}, _of_panel, ends_alone=True
+    ),
+    "dispersion": Kind(
+        {"panel": PANEL, "elevation_deg": ELEVATION, "azimuth_deg": AZIMUTH, "side": SIDE}, _of_panel, ends_alone=True
+    ),
     "klems": Kind(
         {
             "panel": PANEL,
@@ -47,5 +52,6 @@ KINDS: dict[str, Kind] = {
         _shelved,
         _partly_shelved,
         is_slow=True,
+        ends_alone=True,
     ),
 }

@@ -4,6 +4,7 @@ export const bsdf = {
   compare: "Compare with a second BSDF",
   names: { a: "BSDF A", b: "BSDF B" } as Record<string, string>,
   dropInto: (slot: string) => `BSDF ${slot.toUpperCase()}: drop an XML here, or choose one`,
+  reading: "reading and checking …",
   light: "Light",
   scale: "Scale",
   scales: { log: "logarithmic", linear: "linear" } as Record<string, string>,
