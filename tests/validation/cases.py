@@ -35,6 +35,7 @@ CASES = (
     "radiance_room",
     "radiance_bsdf_room",
     "sun_through_pane",
+    "radiance_mirrors",
     "panel_lights_ceiling",
     "drawn_panel",
     "drawn_stack",

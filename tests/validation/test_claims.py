@@ -9,6 +9,7 @@ from tests.validation.cases import CASES, FOLDER, claim
 OTHER_PROGRAMS = {
     "radiance_room": ["pyradiance"],
     "radiance_bsdf_room": ["pyradiance"],
+    "radiance_mirrors": ["pyradiance"],
     "layered_glazing": ["pywincalc"],
     "year_sky": ["pyradiance"],
     "year_radiance": ["pyradiance"],
