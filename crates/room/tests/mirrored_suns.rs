@@ -292,6 +292,31 @@ fn two_windows_that_turn_light_turn_it_twice() {
     assert!(found.redirected.value[1] == 0.0 && found.direct.value == [0.0; 2]);
 }
 
+/// What was totally reflected before a mirror threw it on is redirected light all the same; a mirror that reflects diffusely too is lit on
+/// the side that the light falls on alone.
+#[test]
+fn redirected_light_stays_so_behind_a_mirror() {
+    let mut b = black().builder(Arc::new(Flip));
+    let shelf = rectangle([0.5, 0.5, 2.6], 3.0 * Vec3::X, 1.5 * Vec3::Y);
+    b.polygon("sail", &shelf, &[], Material { diffuse: 0.2, specular: 0.7 }).expect("sound");
+    let scene = b.build().expect("sound");
+    // at 45° up from the sill's height, met from below at y = 1
+    let point = Vec3::new(2.0, 2.0, 1.6);
+    let towards = sun(45.0, 180.0);
+    let found = lit(&scene, &[point], Vec3::Z, towards);
+    let expected = 0.9 * 0.7 * FRAC_1_SQRT_2;
+    assert!((found.redirected.value[0] - expected).abs() < 3e-3, "{:?}", found.redirected.value);
+    assert_eq!(found.direct.value, [0.0]);
+    // black all around: no sensor above the sail is lit by its upper side
+    let settings = Settings { rounds: 8, ..Settings::default() };
+    let above = sun_coefficients(&scene, &[Vec3::new(2.0, 1.0, 2.9)], &[-Vec3::Z], &[towards], 1, &settings, |_| true)
+        .expect("sound");
+    assert_eq!(above.interreflected.value, [0.0]);
+    let below = sun_coefficients(&scene, &[Vec3::new(2.0, 1.0, 1.0)], &[Vec3::Z], &[towards], 1, &settings, |_| true)
+        .expect("sound");
+    assert!(below.interreflected.value[0] > 0.01);
+}
+
 /// Opal glass over a mirror glows by the sun and by its image.
 #[test]
 fn opal_glass_glows_by_mirrored_light_as_well() {

@@ -39,7 +39,8 @@ impl Sunlight<'_> {
         let from = wanted.place.position;
         let shape = scene.facet(beam.facet);
         let back = shape.height(from) * beam.way_per_height;
-        if back <= 0.0 {
+        // what lies on a mirror is not lit by it, whatever rounding says
+        if back <= 0.0 || beam.facet == wanted.facet {
             return;
         }
         let weight = weight(beam.direction);

@@ -66,7 +66,8 @@ impl Screens {
             }
             // only what lies on the light's side of the facet's plane throws a shadow on it
             let part = clip(&screen.corners, normal, offset);
-            if part.len() < 3 {
+            // one in the same plane throws none
+            if part.iter().all(|&corner| normal.dot(corner) - offset <= ROUNDING * reach) {
                 continue;
             }
             left = left.into_iter().flat_map(|piece| outside_shadow(piece, &part, towards)).collect();
@@ -126,4 +127,32 @@ fn area(polygon: &[Vec3]) -> f64 {
     let Some(&origin) = polygon.first() else { return 0.0 };
     let twice = polygon.windows(2).map(|pair| (pair[0] - origin).cross(pair[1] - origin)).sum::<Vec3>();
     0.5 * twice.length()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Material, SceneBuilder};
+
+    /// Two screens side by side hide what neither hides alone; a gap, or light from elsewhere, shows it.
+    #[test]
+    fn screens_hide_together() {
+        let rectangle = |x: [f64; 2], z: f64| {
+            [(x[0], 0.0), (x[1], 0.0), (x[1], 1.0), (x[0], 1.0)].map(|(x, y)| Vec3::new(x, y, z)).to_vec()
+        };
+        let hidden = |parts: &[[f64; 2]], towards: Vec3| {
+            let mut b = SceneBuilder::default();
+            b.polygon("lit", &rectangle([0.0, 1.0], 0.0), &[], Material::diffuse(0.5)).expect("sound");
+            for (k, &part) in parts.iter().enumerate() {
+                b.polygon(&format!("screen {k}"), &rectangle(part, 1.0), &[], Material::diffuse(0.5)).expect("sound");
+            }
+            let scene = b.build().expect("sound");
+            Screens::of(&scene).hide(&scene, 0, towards.normalize())
+        };
+        let straight = Vec3::Z;
+        assert!(hidden(&[[-0.1, 0.6], [0.6, 1.1]], straight) && hidden(&[[0.0, 1.0]], straight));
+        assert!(!hidden(&[[-0.1, 0.6], [0.7, 1.1]], straight) && !hidden(&[[-0.1, 0.6]], straight));
+        // light from the side passes beside them, and from below they do not stand in its way
+        assert!(!hidden(&[[-0.1, 1.1]], Vec3::new(0.5, 0.0, 1.0)) && !hidden(&[[-0.1, 1.1]], -Vec3::Z));
+    }
 }
