@@ -4,6 +4,7 @@
 
 mod error;
 mod facet;
+mod loops;
 mod nesting;
 mod outline;
 mod scene;

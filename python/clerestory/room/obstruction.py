@@ -18,7 +18,7 @@ from clerestory.rules import not_negative, number, positive, within
 
 @dataclass(frozen=True, kw_only=True)
 class FacingBuilding:
-    """A wall parallel to the facade: the other side of a street, an urban canyon.
+    """A wall parallel to the facade: the other side of a street, an urban canyon; a mirror if its material is.
 
     Parameters
     ----------
@@ -142,7 +142,7 @@ class LightShelf:
 
 @dataclass(frozen=True, kw_only=True)
 class Louvres:
-    """Equal slats along the facade, outside.
+    """Equal slats along the facade, outside; mirrors on both sides if their material is.
 
     Parameters
     ----------
