@@ -27,11 +27,42 @@ export async function send<T>(path: string, file: Blob): Promise<T> {
   return (await asked(path, { method: "POST", body: file })).json();
 }
 
+/** How often the studio has come back after it was gone. */
+let timesBack = 0;
+let isGone = false;
+const watching = new Set<() => void>();
+
+export const back = {
+  times: () => timesBack,
+  follow: (heard: () => void) => {
+    watching.add(heard);
+    return () => void watching.delete(heard);
+  },
+};
+
+/** Looks for a studio that did not answer until it does again: what it held is then asked for anew. */
+async function look() {
+  if (isGone) return;
+  isGone = true;
+  for (;;) {
+    await new Promise((done) => setTimeout(done, 1000));
+    try {
+      if ((await fetch("/api/about", { method: "POST", body: "{}" })).ok) break;
+    } catch {
+      continue;
+    }
+  }
+  isGone = false;
+  timesBack += 1;
+  watching.forEach((heard) => heard());
+}
+
 async function asked(path: string, how: RequestInit): Promise<Response> {
   let answer: Response;
   try {
     answer = await fetch(path, how);
   } catch {
+    void look();
     throw new Refused([{ field: null, message: "offline" }]);
   }
   if (answer.ok) return answer;
@@ -125,6 +156,7 @@ export class Work<T> {
         this.heard(state);
       };
       this.source.onerror = () => {
+        void look();
         if (this.source?.readyState === EventSource.CLOSED && this.wanted) this.failed(new Refused([{ field: null, message: "offline" }]));
       };
     } catch (fault) {

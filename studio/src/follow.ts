@@ -1,13 +1,20 @@
 // Views follow the state, answers and jobs.
 
 import { useEffect, useReducer, useRef, useState } from "preact/hooks";
-import { ask, Channel, type Fault, type JobState, Refused, Work } from "./ask";
+import { ask, back, Channel, type Fault, type JobState, Refused, Work } from "./ask";
 import { current, follow, type State } from "./state";
 
 export function useStudio(): State {
   const [, turn] = useReducer((n: number) => n + 1, 0);
   useEffect(() => follow(() => turn(0)), []);
   return current();
+}
+
+/** How often the studio has come back: a view of then is to be made anew. */
+export function useTimesBack(): number {
+  const [times, setTimes] = useState(back.times());
+  useEffect(() => back.follow(() => setTimes(back.times())), []);
+  return times;
 }
 
 export interface Answer<T> {

@@ -1,10 +1,10 @@
 // The page: its tabs and the view that is open.
 
-import { render } from "preact";
+import { Fragment, render } from "preact";
 import type { FunctionComponent } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { BsdfView } from "./bsdf_view";
-import { useIsDark, useStudio } from "./follow";
+import { useIsDark, useStudio, useTimesBack } from "./follow";
 import { Header } from "./header";
 import { PanelView } from "./panel_view";
 import type { State } from "./state";
@@ -28,6 +28,7 @@ function Later({ name, state, isDark }: { name: string; state: State; isDark: bo
 function Page() {
   const state = useStudio();
   const isDark = useIsDark(state.theme);
+  const times = useTimesBack();
   const view = VIEWS.includes(state.view) ? state.view : VIEWS[0];
   useEffect(() => {
     document.documentElement.dataset.theme = isDark ? "dark" : "light";
@@ -39,9 +40,12 @@ function Page() {
       <main id="view" tabIndex={-1}>
         <div id="tabpanel" role="tabpanel" aria-labelledby={`tab-${view}`}>
           <h2 class="unseen">{words.views[view]}</h2>
-        {view === "panel" && <PanelView state={state} isDark={isDark} />}
-        {view in LATER && <Later key={view} name={view} state={state} isDark={isDark} />}
-        {view === "bsdf" && <BsdfView state={state} />}
+          {/* a studio that was started again holds nothing of before: the view asks anew */}
+          <Fragment key={times}>
+            {view === "panel" && <PanelView state={state} isDark={isDark} />}
+            {view in LATER && <Later key={view} name={view} state={state} isDark={isDark} />}
+            {view === "bsdf" && <BsdfView state={state} />}
+          </Fragment>
         </div>
       </main>
     </>

@@ -39,8 +39,10 @@ def opened(browser: Any, studio: str) -> Any:
         return tab
 
     yield open_view
+    wrong = [one for context in contexts for tab in context.pages for one in tab.wrong]
     for context in contexts:
         context.close()
+    assert wrong == [], "an error of the page, or a request that leaves the studio"
 
 
 @pytest.mark.parametrize("view", VIEWS)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
+from collections.abc import Callable, Mapping
 from multiprocessing.connection import Connection
 from typing import Any
 
@@ -29,6 +31,12 @@ def serve_jobs(pipe: Connection) -> None:
     from clerestory.studio.warming import warm
 
     warm()
+    # a server that was killed leaves nobody to tell
+    with contextlib.suppress(BrokenPipeError, ConnectionResetError):
+        _serve(pipe, work.JOBS)
+
+
+def _serve(pipe: Connection, jobs: Mapping[str, Callable[..., Any]]) -> None:
     pipe.send(("ready", None))
     while True:
         try:
@@ -40,7 +48,7 @@ def serve_jobs(pipe: Connection) -> None:
             continue
         kind, arguments = asked
         try:
-            pipe.send(("done", work.JOBS[kind](**arguments, tell=_Tell(pipe))))
+            pipe.send(("done", jobs[kind](**arguments, tell=_Tell(pipe))))
         except _StoppedError:
             pipe.send(("stopped", None))
         except Exception as error:
