@@ -3,6 +3,7 @@
 import copy
 import json
 import os
+import struct
 from pathlib import Path
 from typing import Any
 
@@ -90,6 +91,10 @@ def test_a_gltf_names_no_file_outside(rooms: Any, room_folder: Path) -> None:
         (room_folder / "room.gltf").write_text(json.dumps({"buffers": [{"uri": uri, "byteLength": 64}]}))
         fault = refused(rooms, "scene", room=naming("mesh", "room.gltf"))["message"]
         assert "studio's folder" in fault or "plainly" in fault, fault
+    scene = json.dumps({"images": [{"uri": "../secret.png"}]}).encode()
+    head = b"glTF" + struct.pack("<IIII", 2, 20 + len(scene), len(scene), 0x4E4F534A)
+    (room_folder / "room.glb").write_bytes(head + scene)
+    assert "images of" in refused(rooms, "scene", room=naming("mesh", "room.glb"))["message"]
     (room_folder / "room.gltf").write_text("no glTF")
     assert "must be a glTF file" in refused(rooms, "scene", room=naming("mesh", "room.gltf"))["message"]
 

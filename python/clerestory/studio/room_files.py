@@ -48,7 +48,7 @@ def confined(root: Path, folder: Path, name: Any, what: str) -> Path:
         raise refused
     if found.stat().st_size > _MOST_BYTES:
         raise ClerestoryError(f"{what} must be of at most {_MOST_BYTES} bytes, got {name[:80]!r}")
-    if found.suffix.lower() == ".gltf":
+    if found.suffix.lower() in (".gltf", ".glb"):
         _check_parts(root, found, what)
     return found
 
@@ -88,7 +88,11 @@ def _named(tables: dict[str, Any]) -> Iterator[tuple[str, Any]]:
 def _check_parts(root: Path, gltf: Path, what: str) -> None:
     """A glTF file may name others: they too lie in the folder."""
     try:
-        scene = json.loads(gltf.read_text(encoding="utf-8"))
+        content = gltf.read_bytes()
+        if gltf.suffix.lower() == ".glb":
+            # a header of 12 bytes, then the length and the type of the first piece, which is JSON
+            content = content[20 : 20 + int.from_bytes(content[12:16], "little")]
+        scene = json.loads(content)
     except (ValueError, RecursionError):
         raise ClerestoryError(f"{what} must be a glTF file, got {gltf.name!r}") from None
     for kind in ("buffers", "images"):
