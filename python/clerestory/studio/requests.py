@@ -154,25 +154,9 @@ def _double(value: float) -> float:
         return math.inf
 
 
-# until every question declares its fields
-def known(asked: Asked, names: tuple[str, ...]) -> None:
-    """Every field of a request is one of a few."""
-    from clerestory.rules import one_of
-
-    for name in asked:
-        one_of("a field", name, names)
-
-
-def needed(asked: Asked, name: str) -> Any:
-    """A field that must be there."""
-    if name not in asked:
-        raise ClerestoryError(f"{name} must be given, got {sorted(map(str, asked))}; add it")
-    return asked[name]
-
-
 def table(asked: Asked, name: str) -> Asked:
     """A field that must be a JSON object."""
-    value = needed(asked, name)
+    value = asked[name]
     if not isinstance(value, dict):
         raise ClerestoryError(f"{name} must be a table, got {type(value).__name__}")
     return value
