@@ -82,7 +82,9 @@ def test_optional_sizes_and_lists_are_set_by_hand_and_told_beside_their_field(pa
     fault = page.locator("#a-spacing_mm-wrong")
     fault.wait_for()
     assert "spacing_mm" in fault.inner_text()
+    page.wait_for_function("() => decodeURIComponent(location.hash).includes('[4,-5]')")
     page.reload()
+    page.locator("#a-spacing_mm").wait_for()
     assert page.locator("#a-spacing_mm").input_value() == "4 -5"
 
 
