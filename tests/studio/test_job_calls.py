@@ -124,7 +124,6 @@ def test_a_fault_in_a_job_or_in_what_becomes_of_it_is_told_and_ends_no_worker(cl
     for kind, asked, finish in (
         ("angular", arguments, broken),
         ("angular", {"panel": 7}, lambda result: result),
-        ("no such kind", {}, lambda result: result),
     ):
         job = jobs.start(kind, asked, finish)
         assert ended(client, job.key)[-1]["state"] == "failed"
