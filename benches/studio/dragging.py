@@ -18,6 +18,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
 import httpx
 
@@ -108,17 +109,42 @@ async def questions(client: httpx.AsyncClient, folder: Path) -> dict[str, Questi
     }
 
 
-async def drag(client: httpx.AsyncClient, ask: Question, number: int, until: float) -> list[float]:
+class Hand:
+    """One client: a connection that is kept, and no more work than a question takes to send."""
+
+    def __init__(self, url: str) -> None:
+        parts = urlsplit(url)
+        self.host, self.port = str(parts.hostname), int(parts.port or 80)
+
+    async def __aenter__(self) -> Hand:
+        self.reader, self.writer = await asyncio.open_connection(self.host, self.port)
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        self.writer.close()
+
+    async def ask(self, path: str, body: dict[str, Any]) -> None:
+        """Asks a question and waits for the whole of its answer."""
+        content = json.dumps(body).encode()
+        head = f"POST {path} HTTP/1.1\r\nHost: {self.host}:{self.port}\r\nContent-Length: {len(content)}\r\n\r\n"
+        self.writer.write(head.encode() + content)
+        told = (await self.reader.readuntil(b"\r\n\r\n")).decode("latin-1").lower()
+        assert told.startswith("http/1.1 200"), told
+        found = re.search(r"content-length: (\d+)", told)
+        assert found, told
+        await self.reader.readexactly(int(found[1]))
+
+
+async def drag(url: str, ask: Question, number: int, until: float) -> list[float]:
     """Seconds that each answer took."""
     took = []
     turn = 0
-    while (begun := time.perf_counter()) < until:
-        turn += 1
-        path, body = ask(turn, number)
-        answer = await client.post(path, content=json.dumps(body), headers={"content-type": "application/json"})
-        answer.raise_for_status()
-        took.append(time.perf_counter() - begun)
-        await asyncio.sleep(max(0.0, EVERY_S - took[-1]))
+    async with Hand(url) as hand:
+        while (begun := time.perf_counter()) < until:
+            turn += 1
+            await hand.ask(*ask(turn, number))
+            took.append(time.perf_counter() - begun)
+            await asyncio.sleep(max(0.0, EVERY_S - took[-1]))
     return took
 
 
@@ -134,8 +160,7 @@ def cpu_s(process: int) -> float:
 async def measured(url: str, process: int, folder: Path, clients: int, seconds: float, only: list[str]) -> list[str]:
     """A row of the table for each kind of question."""
     rows = []
-    limits = httpx.Limits(max_connections=clients)
-    async with httpx.AsyncClient(base_url=url, timeout=60.0, limits=limits) as client:
+    async with httpx.AsyncClient(base_url=url, timeout=60.0) as client:
         for name, ask in (await questions(client, folder)).items():
             if only and not any(one in name for one in only):
                 continue
@@ -144,9 +169,9 @@ async def measured(url: str, process: int, folder: Path, clients: int, seconds: 
                 for size in (2.0, 3.0):
                     asked = {"kind": "klems", "panel": PRISM | {"pitch_mm": size}}
                     jobs.append((await client.post("/api/jobs", json=asked)).json()["job"])
-            await drag(client, ask, 999, time.perf_counter() + 0.3)
+            await drag(url, ask, 999, time.perf_counter() + 0.3)
             before, until = cpu_s(process), time.perf_counter() + seconds
-            parts = await asyncio.gather(*(drag(client, ask, number, until) for number in range(clients)))
+            parts = await asyncio.gather(*(drag(url, ask, number, until) for number in range(clients)))
             took = sorted(one for part in parts for one in part)
             cpu_ms = (cpu_s(process) - before) / len(took) * 1e3
             median, late = (took[min(len(took) - 1, int(share * len(took)))] * 1e3 for share in (0.5, 0.95))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 import time
 from typing import Any
@@ -158,6 +159,11 @@ class _Stage:
         self._clock.last_s = time.monotonic() - self._begin
 
     def _run(self) -> None:
+        # a job that nobody wants is ended from elsewhere: this thread only tells
+        with contextlib.suppress(Exception):
+            self._tell_on()
+
+    def _tell_on(self) -> None:
         while True:
             self._clock.told(self._word, time.monotonic() - self._begin, self._expected, self._then)
             if self._ended.wait(_TICK):

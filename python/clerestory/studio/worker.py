@@ -26,7 +26,7 @@ def serve_jobs(pipe: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     if hasattr(os, "nice"):
         # who drags comes before what is computed beside
-        os.nice(5)
+        os.nice(10)
     from clerestory.studio import work
     from clerestory.studio.warming import warm
 
