@@ -37,8 +37,8 @@ from clerestory.studio.warming import warm_beside
 
 #: The built page, which comes with the wheel.
 PAGE = Path(__file__).parent / "page"
-#: Light and heavy questions answered at once; more wait, each in their line. More threads only wait for one another: with
-#: four, the 95th percentile of a room's new depth was 320 ms while twenty dragged, with two it is 190.
+#: Light and heavy questions answered at once; more wait, each in their line. More threads only wait for one another:
+#: with four, the 95th percentile of a room's new depth was 320 ms while twenty dragged, with two it is 190 to 270.
 _THREADS, _HEAVY = 2, 2
 _ABOUT = record(
     {
