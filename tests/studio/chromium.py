@@ -39,7 +39,7 @@ def started(folder: Path, port: int = 0) -> tuple[subprocess.Popen[str], str]:
 def watched(tab: Any, url: str) -> list[str]:
     """What goes wrong in a tab from now on: errors of the page, and requests that leave the studio."""
     wrong: list[str] = []
-    tab.set_default_timeout(15_000)
+    tab.set_default_timeout(45_000)
     tab.on("pageerror", lambda error: wrong.append(str(error)))
     tab.on("request", lambda one: None if one.url.startswith((url, "data:", "blob:")) else wrong.append(one.url))
     return wrong

@@ -37,7 +37,7 @@ def browser() -> Iterator[Any]:
 
 def opened(browser: Any, studio: str, state: str, size: dict[str, int] = chromium.SIZE) -> Any:
     tab = browser.new_page(viewport=size)
-    tab.set_default_timeout(30_000)
+    tab.set_default_timeout(45_000)
     tab.goto(f'{studio}#view="bsdf"&{state}')
     return tab
 

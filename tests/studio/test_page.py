@@ -30,7 +30,7 @@ def settled(page: Any, name: str, value: float, panel: str = "a") -> None:
     page.wait_for_function(
         "([place, value]) => Math.abs(Number(document.querySelector(place)?.dataset.value || NaN) - value) < 1e-5",
         arg=[place, value],
-        timeout=15_000,
+        timeout=45_000,
     )
 
 

@@ -128,7 +128,7 @@ def test_a_bad_file_is_refused_in_words_and_the_page_stays(page: Any, tmp_path: 
 def test_an_odd_address_breaks_no_view(page: Any, studio: str, view: str) -> None:
     chance = random.Random(view)
     page.goto(studio + said(view=view))
-    page.locator("main h3, main .big, main fieldset").first.wait_for()
+    page.locator("main h3, main .empty, main fieldset").first.wait_for()
     names = [*(f"{view}.{name}" for name in NAMES[view]), "theme", "panel.a.kind", "panel.compares"]
     values = [None, True, 0, -1, 1e300, 0.5, "", "x", "start", [], [1], ["x"], {}, {"x": [1]}, 10**15]
     for _ in range(25):
@@ -139,5 +139,5 @@ def test_an_odd_address_breaks_no_view(page: Any, studio: str, view: str) -> Non
         page.evaluate("hash => { location.hash = hash }", hash_)
         page.wait_for_timeout(60)
     page.evaluate("view => { location.hash = `#view=%22${view}%22` }", view)
-    page.locator("main h3, main .big, main fieldset").first.wait_for()
+    page.locator("main h3, main .empty, main fieldset").first.wait_for()
     assert page.locator("main").inner_text().strip()

@@ -56,7 +56,7 @@ def settled(page: Any, name: str, value: float, panel: str = "a", within: float 
         "([place, value, within]) => "
         "Math.abs(Number(document.querySelector(place)?.dataset.value || NaN) - value) < within",
         arg=[f'[data-panel="{panel}"] [data-number="{name}"]', value, within],
-        timeout=20_000,
+        timeout=45_000,
     )
 
 
@@ -140,7 +140,7 @@ def test_rough_cuts_show_shares_with_standard_errors_and_where_their_light_goes(
     page.wait_for_function(
         "() => { const e = Number(document.querySelector('[data-number=transmittance_deflected]').dataset.error);"
         " return e > 0 && e < 4e-4 }",
-        timeout=20_000,
+        timeout=45_000,
     )
     assert abs(float(number.get_attribute("data-value")) - own) < 6.0 * 6e-4
     assert page.get_by_text("Drawn as if the cuts were smooth").count() == 1
