@@ -11,8 +11,7 @@ import { changes, glazingOf, glazingPlaces, panelTable, placed, valueAt, withGla
 import { saveFile } from "./save";
 import { change, type State } from "./state";
 import { words } from "./words";
-
-const said = words.rooms;
+import { room as said } from "./words/room";
 
 interface Props {
   state: State;

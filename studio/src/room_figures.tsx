@@ -9,9 +9,7 @@ import type { Told } from "./room_numbers";
 import { type Scale, scaleOf, unsure, written } from "./room_scale";
 import type { RoomState } from "./room_state";
 import { Figure } from "./save";
-import { words } from "./words";
-
-const said = words.rooms;
+import { room as said } from "./words/room";
 
 interface Props {
   room: RoomState;

@@ -2,9 +2,8 @@
 
 import { OF_PATH } from "./room_colours";
 import type { RoomState } from "./room_state";
-import { words } from "./words";
+import { room as said } from "./words/room";
 
-const said = words.rooms;
 type Switch = "straight" | "redirected" | "reflected" | "beams" | "patches" | "sunPath" | "field";
 const SWITCHES: Switch[] = ["straight", "redirected", "reflected", "beams", "patches", "sunPath", "field"];
 

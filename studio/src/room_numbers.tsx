@@ -6,8 +6,7 @@ import { Faults } from "./inputs";
 import type { RoomLight, RoomWork } from "./room_answers";
 import { unsure, written } from "./room_scale";
 import { words } from "./words";
-
-const said = words.rooms;
+import { room as said } from "./words/room";
 
 export interface Told {
   values: number[];

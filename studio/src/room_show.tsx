@@ -4,9 +4,7 @@ import { ChoiceInput, SliderInput } from "./inputs";
 import { Group } from "./room_controls";
 import type { Asked } from "./room_questions";
 import { change, type State } from "./state";
-import { words } from "./words";
-
-const said = words.rooms;
+import { room as said } from "./words/room";
 
 export function SkyControls({ state, asked, weathers }: { state: State; asked: Asked; weathers: string[] }) {
   const room = state.room;

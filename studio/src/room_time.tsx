@@ -3,9 +3,8 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { SunTold } from "./room_answers";
 import { change } from "./state";
-import { words } from "./words";
+import { room as said } from "./words/room";
 
-const said = words.rooms;
 /** Days of the year on which months begin. */
 const FIRSTS = [1, 32, 60, 91, 121, 152, 182, 213, 244, 274, 305, 335];
 const STEP_MINUTES = 5;

@@ -24,9 +24,9 @@ import { toldOf } from "./room_told";
 import { saveFile } from "./save";
 import { change, type State } from "./state";
 import { words } from "./words";
+import { room as said } from "./words/room";
 import { ColourBar } from "./room_draw_plan";
 
-const said = words.rooms;
 const SPOT: Eye = { turn: 120, tilt: 24, far: 20, at: [2, 4, 1.5], isFlat: false };
 const put = (values: Partial<RoomState>) => change("room", values);
 

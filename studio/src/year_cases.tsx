@@ -9,7 +9,7 @@ import { change, type State } from "./state";
 import { said } from "./ticks";
 import type { Cases, Column, ResultTold } from "./year_answers";
 import { quoted } from "./year_figures";
-import { yearWords as words } from "./year_words";
+import { year as words } from "./words/year";
 
 const MOST_ROWS = 400;
 const MOST_SERIES = 12;

@@ -5,7 +5,7 @@ import { DrawDots } from "./draw_dots";
 import { Figure } from "./save";
 import { change } from "./state";
 import type { ResultTold } from "./year_answers";
-import { yearWords as words } from "./year_words";
+import { year as words } from "./words/year";
 
 export function YearFigures({ told, shown, explains }: { told: ResultTold; shown: number[]; explains: boolean }) {
   const names = shown.map((k) => told.variants[k]);

@@ -13,7 +13,7 @@ import { saidWith } from "./ticks";
 import type { Carpet, HourPlan, Months, Numbers, ResultTold } from "./year_answers";
 import { quoted } from "./year_figures";
 import { planTable, readout } from "./year_plans";
-import { yearWords as words } from "./year_words";
+import { year as words } from "./words/year";
 
 interface Props {
   told: ResultTold;

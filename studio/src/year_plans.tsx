@@ -11,7 +11,7 @@ import { change, type State } from "./state";
 import { said, saidWith } from "./ticks";
 import type { Plan, ResultTold, SectionCurves } from "./year_answers";
 import { quoted } from "./year_figures";
-import { yearWords as words } from "./year_words";
+import { year as words } from "./words/year";
 
 export function YearPlans({ told, shown, look }: { told: ResultTold; shown: number[]; look: State["year"] }) {
   const [cursor, setCursor] = useState(-1);

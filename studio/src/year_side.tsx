@@ -6,7 +6,7 @@ import { ChoiceInput, chosen, Faults } from "./inputs";
 import { change } from "./state";
 import type { Listed, Results } from "./year_answers";
 import { startYear, stopYear, useYearRun } from "./year_run";
-import { yearWords as words } from "./year_words";
+import { year as words } from "./words/year";
 
 interface Props {
   path: string;

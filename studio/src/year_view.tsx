@@ -10,7 +10,7 @@ import { YearHours } from "./year_hours";
 import { YearPlans } from "./year_plans";
 import "./year.css";
 import { YearSide } from "./year_side";
-import { yearWords as words } from "./year_words";
+import { year as words } from "./words/year";
 
 export function YearView({ state, isDark }: { state: State; isDark: boolean }) {
   const look = state.year;

@@ -133,7 +133,6 @@ export const panel = {
   accuracies: { fine: "for files", rays: "quick, by rays" } as Record<string, string>,
   band: "Band",
   bands: { visible: "visible", solar: "solar" } as Record<string, string>,
-  stages: { rays: "by rays", fine: "as for files" } as Record<string, string>,
   left: (seconds: number) => (seconds < 90 ? `about ${Math.max(1, Math.round(seconds))} s left` : `about ${Math.round(seconds / 60)} min left`),
   preview: "What there is so far, by rays",
   save: "Save",
@@ -141,5 +140,4 @@ export const panel = {
   dispersionHint: "Elevation at which each beam leaves, wavelength by wavelength. The larger a dot, the stronger the beam.",
   follow: "Follow the light",
   noBeams: "No beam leaves on this side.",
-  spreadOf: (low: number, high: number) => `${low.toFixed(1)}° to ${high.toFixed(1)}°`,
 };

@@ -117,7 +117,6 @@ export const room = {
   legend: "What is drawn",
   lines: { direct: "straight", redirected: "redirected", reflected: "after a diffuse bounce" } as Record<string, string>,
   windowParts: "Window parts",
-  kinds: { "laser-cut": "laser-cut", prismatic: "prismatic", glass: "glass", open: "open" } as Record<string, string>,
   isolux: "Lines",
   values: "Values",
 };

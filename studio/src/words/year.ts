@@ -1,6 +1,6 @@
 // The words of the Year view, in English.
 
-export const yearWords = {
+export const year = {
   drop: "Drop a result here, or choose a file",
   dropKinds: "year.nc, …-illuminance.nc, results.csv, history.csv, angular.nc",
   results: "Results in the folder",
@@ -38,7 +38,6 @@ export const yearWords = {
   electricitySaved: "Electricity saved",
   whatIsCompared: "What is compared",
   share: "Share [%]",
-  plans: "Plans",
   plansHint: "Move over a plan, or use the arrow keys on it, to read it; click, or press Enter, to follow one place through the year below.",
   plansHintRoom: "Move over a plan, or use the arrow keys on it, to read it.",
   ends: "least … mean … most",
@@ -62,7 +61,6 @@ export const yearWords = {
   seriesNames: { mean: "the work plane, mean", least: "its darkest sensor", sensor: "one place of the plan" } as Record<string, string>,
   pickFirst: "Click a place of the plans to follow it.",
   place: (x: string, y: string) => `x ${x} m, y ${y} m`,
-  followed: "Followed through the year",
   onlyUse: "Hours of use only",
   inUse: "in use",
   notInUse: "not in use",
@@ -82,7 +80,6 @@ export const yearWords = {
   illuminance: "Illuminance",
   months: ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"],
   weekdays: ["Sunday", "Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday"],
-  cases: "Cases",
   casesTitle: { sweep: "Cases of the sweep", design: "Trials of the design", panel: "Shares by direction" } as Record<string, string>,
   xAxis: "Across",
   yAxis: "Up",
