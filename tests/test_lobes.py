@@ -19,7 +19,7 @@ incidence = {
 
 
 @given(panel=st.sampled_from([LCP, PRISM]), polarisation=st.sampled_from(["resolved", "averaged"]), **incidence)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_power_absorbed_and_residual_add_to_one(panel, **at):
     lobes = panel.lobes(tolerance=1e-4, **at)
     assert float(lobes.power.sum()) + lobes.absorbed + lobes.residual == pytest.approx(1.0, abs=1e-12)
@@ -28,7 +28,7 @@ def test_power_absorbed_and_residual_add_to_one(panel, **at):
 
 
 @given(**incidence)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 def test_light_keeps_its_component_along_the_cuts(**at):
     """A panel is invariant along x: in air the x component of the direction is conserved."""
     lobes = PRISM.lobes(tolerance=1e-4, **at)

@@ -60,7 +60,7 @@ sizes = st.floats(1.0, 20.0)
         st.sampled_from(["pmma", "polycarbonate", "bk7"]), st.builds(Medium, st.floats(1.0, 2.0), st.floats(0.0, 0.1))
     ),
 )
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_every_laser_cut_panel_survives_a_file(tmp_path_factory, spacing, thickness, width, depth, medium):
     panel = LaserCutPanel(
         spacing_mm=spacing,

@@ -6,7 +6,7 @@ import warnings
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.bsdf.elements import uneven_bsdf, uneven_tree_bsdf
 
@@ -111,7 +111,7 @@ def test_faulty_values_are_read_when_asked(tmp_path: Path) -> None:
 SMALL = re.sub(r"(?s)\t<WavelengthData>(?:(?!</WavelengthData>).)*Solar.*?</WavelengthData>\n", "", TREE)
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=150)
 @given(data=st.data())
 def test_no_change_of_a_file_brings_out_another_error(data: st.DataObject, tmp_path: Path) -> None:
     content = bytearray(data.draw(st.sampled_from([SMALL.encode(), KLEMS.encode()[:30_000] + KLEMS.encode()[-400:]])))

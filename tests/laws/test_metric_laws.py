@@ -26,7 +26,7 @@ YEARS = some.integers(1, 12).flatmap(
 
 
 @given(YEARS, some.data())
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_counts_are_those_of_plain_loops(rows, data):
     lit = year(rows)
     chosen = data.draw(some.sets(some.integers(0, len(rows[0]) - 1), min_size=1))
@@ -58,7 +58,7 @@ def test_counts_are_those_of_plain_loops(rows, data):
 
 
 @given(YEARS, some.floats(1.0, 3.0))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_more_light_is_never_less_of_it(rows, more):
     lit = year(rows)
     used, brighter = hours(lit), lit * more
@@ -75,7 +75,7 @@ def test_more_light_is_never_less_of_it(rows, more):
 
 
 @given(LUX.filter(lambda lux: lux > 0.0), some.integers(1, 5), some.integers(1, 30))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 def test_a_constant_year_is_all_or_nothing(lux, sensors, times):
     lit = year([[lux] * times] * sensors)
     used = hours(lit)

@@ -6,14 +6,14 @@ Tolerances are what the solver itself says it does not know: residual and displa
 from dataclasses import fields, replace
 
 import numpy as np
-from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import assume, given, settings
 from tests.laws.panels_at_random import ideal_cuts, incidences, panels, panes, polarisations
 
 from clerestory.glass import slab
 from clerestory.medium import Medium
 from clerestory.panels import LaserCutPanel, PrismaticPanel
 
-LAW = settings(max_examples=15, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+LAW = settings(max_examples=15)
 TOLERANCE = 1e-3
 ROUNDING = 1e-12
 

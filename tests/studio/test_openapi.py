@@ -42,6 +42,8 @@ CONFIG = schemathesis.Config.from_dict(
             "database": "none",
             "with-security-parameters": False,
         },
+        # how long an example takes to draw depends on the machine
+        "suppress-health-check": ["too_slow"],
         # what has the right shape may still make no sense: the API's dataclasses say so
         "checks": {"positive_data_acceptance": {"expected-statuses": ["2xx", "404", "422"]}},
     }
@@ -119,7 +121,7 @@ def test_jobs_of_chance_never_hang_a_worker_nor_end_the_server() -> None:
         APP.state.jobs.cancel(job.key)
     asked = {"panel": PANELS[0], "azimuth_deg": 0.0, "side": "front"}
     job = APP.state.jobs.start("angular", asked)
-    late = time.monotonic() + 60.0
+    late = time.monotonic() + 180.0
     while not job.is_over and time.monotonic() < late:
         time.sleep(0.05)
     assert job.state == "done", job.errors

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.studio.conftest import TestClient
 from tests.studio.test_any_request import ODD
@@ -65,7 +65,7 @@ def test_an_answer_has_the_shape_that_is_declared(
     fit(call, answer.json(), GIVES[call])
 
 
-@settings(max_examples=120, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=120)
 @given(data=st.data())
 def test_an_odd_request_is_answered_or_refused_in_words(
     client: TestClient, keys: dict[str, str], data: st.DataObject

@@ -1,7 +1,7 @@
 """Whatever befalls a weather file, it is read or refused in one line that names it."""
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from clerestory import ClerestoryError, read_epw, read_wea
@@ -53,7 +53,7 @@ def spoil(lines, separator, changes):
 
 
 @pytest.mark.parametrize("ending", [".epw", ".wea"])
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=60)
 @given(changes=st.lists(CHANGE, min_size=1, max_size=4))
 def test_spoiled_file_is_read_or_refused_in_one_line(ending, texts, tmp_path, changes):
     lines, separator, read = texts[ending]
