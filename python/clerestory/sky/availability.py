@@ -33,8 +33,10 @@ def usual_diffuse_horizontal_lx(sky_type: int, sun_altitude_deg: Any) -> Array:
 
     Notes
     -----
-    :math:`E_d = A + B \sin^C h` (theory/sky.md, eq. 9): the daylight availability of the Illuminating Engineering
-    Society (G. Gillette, W. Pierpoint, S. Treado, Journal of the IES 13(4), 1984; IES RP-21).
+    :math:`E_d = A + B \sin^C h` (theory/sky.md, eq. 9): IES Calculation Procedures Committee, *Recommended practice for
+    the calculation of daylight availability*, Journal of the IES 13(4), 381-392, 1984
+    (doi:10.1080/00994480.1984.10748791), after G. Gillette, W. Pierpoint, S. Treado, *A general illuminance model for
+    daylight availability*, in the same issue.
     """
     kind = check_sky_type(sky_type)
     low, rise, power = _CLEAR if 11 <= kind <= 15 else _PARTLY if 7 <= kind <= 10 else _CLOUDY
