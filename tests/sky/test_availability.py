@@ -6,8 +6,8 @@ import pytest
 from clerestory.errors import ClerestoryError
 from clerestory.sky.availability import shows_sun, usual_diffuse_horizontal_lx
 
-#: Of each condition: a CIE type, and what the half of the sky beside the sun gives a horizontal plane,
-#: factor [lx] and exponent of the sine, fitted apart from the whole sky's (IES 1984; its third term is 0 beside the sun).
+#: Of each condition: a CIE type, and what the half of the sky beside the sun gives a horizontal plane, factor [lx] and
+#: exponent of the sine, fitted apart from the whole sky's (IES 1984; its third term is 0 beside the sun).
 HALF_SKIES = {"clear": (12, 8200.0, 0.5), "partly cloudy": (8, 22_700.0, 1.0), "cloudy": (1, 10_700.0, 1.0)}
 
 

@@ -1,23 +1,33 @@
 """A year that is killed or stopped leaves nothing that reads as whole, and goes on where it was."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
-import time
 from dataclasses import replace
 
 import numpy as np
 import pytest
 import xarray as xr
 from tests.year.small import write_small
+from typer.testing import CliRunner
 
+from clerestory.cli import app
 from clerestory.year import read_year, run_year
 
+#: Says when a piece is kept. Whoever runs the tests in the background may have had Ctrl-C ignored.
 RUN = """
-import sys
+import signal, sys
 from clerestory.cli import app
-app(["year", sys.argv[1], "--out", sys.argv[2], "--json"])
+from clerestory.year import run
+signal.signal(signal.SIGINT, signal.default_int_handler)
+keep = run._keep
+def kept(*words):
+    keep(*words)
+    print("kept", flush=True)
+run._keep = kept
+app(["year", sys.argv[1], "--out", sys.argv[2]])
 """
 
 
@@ -25,23 +35,23 @@ def pieces(out):
     return sorted(path for path in (out / "pieces").rglob("*.nc") if not path.parent.name.startswith("."))
 
 
-def wait_for(condition, seconds):
-    until = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < until, "nothing was kept in time"
-        time.sleep(0.02)
+def begun(path, out):
+    """A year in a process of its own that has just kept its first piece."""
+    running = subprocess.Popen(
+        [sys.executable, "-c", RUN, str(path), str(out)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert running.stdout.readline() == "kept\n", running.stderr.read()
+    return running
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no such signals")
 def test_killed_in_the_middle_it_goes_on(tmp_path):
     path, out = write_small(tmp_path), tmp_path / "out"
-    running = subprocess.Popen([sys.executable, "-c", RUN, str(path), str(out)], stderr=subprocess.PIPE)
-    try:
-        wait_for(lambda: pieces(out), 120)
-    finally:
-        running.send_signal(signal.SIGKILL)
-        running.wait()
+    running = begun(path, out)
+    running.kill()
+    running.communicate()
     kept = pieces(out)
+    assert kept
     assert not (out / "year.nc").exists()
     assert not (out / "report.html").exists()
     before = {}
@@ -57,6 +67,26 @@ def test_killed_in_the_middle_it_goes_on(tmp_path):
     fresh = run_year(read_year(path))
     for label in fresh:
         np.testing.assert_array_equal(found[label]["illuminance"], fresh[label]["illuminance"])
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such signals")
+def test_ctrl_c_says_how_far_it_was_and_the_same_command_goes_on(tmp_path):
+    path, out = write_small(tmp_path), tmp_path / "out"
+    running = begun(path, out)
+    running.send_signal(signal.SIGINT)
+    _, said = running.communicate()
+    assert running.returncode == 130, said
+    assert re.search(
+        r"clerestory: stopped with [1-9]\d? % done; finished pieces are in .*, the same command goes on", said
+    )
+    assert "Traceback" not in said
+    assert not (out / "report.html").exists()
+    kept = {piece: piece.stat().st_mtime_ns for piece in pieces(out)}
+    assert kept
+    again = CliRunner().invoke(app, ["year", str(path), "--out", str(out)])
+    assert again.exit_code == 0, again.output
+    assert (out / "report.html").is_file()
+    assert {piece: piece.stat().st_mtime_ns for piece in kept} == kept, "a finished piece was traced again"
 
 
 def test_stopped_by_its_follower_it_keeps_finished_pieces(tmp_path):

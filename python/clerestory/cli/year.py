@@ -23,6 +23,13 @@ def year(
     suns: Annotated[
         str | None, typer.Option(help="Places of the sun, instead of the file's: exact, troplux5221 …")
     ] = None,
+    export: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="Also write the light of each variant, blinds open, into OUT/export for other programs: ill, mtx, "
+            "pts, ladybug, coefficients. Can be given several times."
+        ),
+    ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the figures as JSON and nothing else.")] = False,
 ) -> None:
     """Daylight of a year: metrics of each variant, compared in one report.
@@ -30,19 +37,23 @@ def year(
     Ctrl-C stops; what is finished is kept, and the same command goes on from there.
     """
     with mistakes_told():
-        _run(file, out, seed, suns, as_json, Console(stderr=True))
+        _run(file, out, seed, suns, export or [], as_json, Console(stderr=True))
 
 
-def _run(file: Path, out: Path, seed: int | None, suns: str | None, as_json: bool, errors: Console) -> None:
+def _run(
+    file: Path, out: Path, seed: int | None, suns: str | None, export: list[str], as_json: bool, errors: Console
+) -> None:
     import warnings
     from dataclasses import replace
 
-    from clerestory.year import State, read_year, run_year, write_year
+    from clerestory.year import State, export_year, read_year, run_year, write_year
     from clerestory.year.compared import table_rows
+    from clerestory.year.export import checked_exports
 
     study = read_year(file)
     changed: dict[str, Any] = {k: v for k, v in {"seed": seed, "suns": suns}.items() if v is not None}
     study = replace(study, calculation=replace(study.calculation, **changed))
+    exports = checked_exports(study, export)
     done = 0.0
     with (
         warnings.catch_warnings(record=True) as told,
@@ -59,6 +70,11 @@ def _run(file: Path, out: Path, seed: int | None, suns: str | None, as_json: boo
 
         try:
             results = run_year(study, out, follow)
+            bars.update(task, state="pictures and report")
+            written = write_year(study, results, out)
+            if exports:
+                bars.update(task, state="files for other programs")
+                written += export_year(study, out, exports)
         except KeyboardInterrupt:
             bars.stop()
             errors.print(
@@ -68,8 +84,6 @@ def _run(file: Path, out: Path, seed: int | None, suns: str | None, as_json: boo
                 soft_wrap=True,
             )
             raise typer.Exit(130) from None
-        bars.update(task, state="pictures and report")
-        written = write_year(study, results, out)
     for warning in told:
         if issubclass(warning.category, UserWarning):
             errors.print(f"clerestory: warning: {warning.message}", style="yellow", markup=False, soft_wrap=True)

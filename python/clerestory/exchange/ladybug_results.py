@@ -67,7 +67,7 @@ def write_ladybug_results(annual: xr.Dataset, folder: str | os.PathLike[str], *,
     if not order.size:
         raise ClerestoryError("total must be above 0 in at least one interval, got a year without light")
     groups = annual["group"].values.astype(str) if "group" in annual.coords else np.full(len(total), "sensors")
-    names = _identifiers(list(dict.fromkeys(groups.tolist())))
+    names = file_names(list(dict.fromkeys(groups.tolist())))
 
     written: list[Path] = []
     info = []
@@ -110,8 +110,8 @@ def _save_array(rows: np.ndarray[tuple[int, int], np.dtype[np.float32]], draft: 
         np.save(file, rows, allow_pickle=False)
 
 
-def _identifiers(groups: list[str]) -> dict[str, str]:
-    """Names of groups as names of files, each of its own."""
+def file_names(groups: list[str]) -> dict[str, str]:
+    """Names of groups as names of files that every system takes, each of its own."""
     names: dict[str, str] = {}
     for group in groups:
         stem = re.sub(r"[^A-Za-z0-9_-]+", "_", group).strip("_") or "grid"

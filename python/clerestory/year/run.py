@@ -65,12 +65,8 @@ def run_year(study: YearStudy, folder: Path | None = None, follow: Follow = lamb
     KeyboardInterrupt
         If ``follow`` says False, or Ctrl-C comes: finished pieces stay.
     """
-    store = None if folder is None else Store(Path(folder) / "pieces")
-    plan = [
-        (label, group, windows, key_of_light(room, windows, study.weather, study.calculation, [study.text, label]))
-        for label, room in study.variants.items()
-        for group, windows in groups_of(room, study.blinds).items()
-    ]
+    store = None if folder is None else store_of(folder)
+    plan = pieces_of(study)
     keys = list(dict.fromkeys(key for *_, key in plan))
     known = set() if store is None else store.keys() & set(keys)
     pace = _Pace(total=len(keys), found=len(known), follow=follow)
@@ -94,6 +90,20 @@ def run_year(study: YearStudy, folder: Path | None = None, follow: Follow = lamb
             raise Stopped
         result[label] = with_provenance(measured(study, label, light), study, label)
     return result
+
+
+def store_of(folder: Path) -> Store:
+    """Where the pieces of a study are kept."""
+    return Store(Path(folder) / "pieces")
+
+
+def pieces_of(study: YearStudy) -> list[tuple[str, str, tuple[str, ...], str]]:
+    """What a study is made of: variant, group of windows, their names, and the key that its light is kept by."""
+    return [
+        (label, group, windows, key_of_light(room, windows, study.weather, study.calculation, [study.text, label]))
+        for label, room in study.variants.items()
+        for group, windows in groups_of(room, study.blinds).items()
+    ]
 
 
 class _Pace:
