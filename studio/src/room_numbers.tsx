@@ -46,14 +46,18 @@ export function RoomNumbers({ told, unit, light, isStale }: { told: Told | null;
   );
 }
 
-export function RoomProgress({ work, target, known }: { work: Doing<RoomWork>; target: number; known: Fault[] }) {
+/** Whether the light that is shown holds all that was asked for: the sun's own as well. */
+const holdsAll = (work: Doing<RoomWork>, sunWork: Doing<RoomWork>, light: RoomLight | null) =>
+  work.state === "done" && light !== null && (light.outside.direct_normal_lx === 0 || (sunWork.state === "done" && !sunWork.isStale && light.sun_rounds === sunWork.value?.rounds));
+
+export function RoomProgress({ work, sunWork, light, target, known }: { work: Doing<RoomWork>; sunWork: Doing<RoomWork>; light: RoomLight | null; target: number; known: Fault[] }) {
   const isBusy = work.state === "waiting" || work.state === "running";
   const now = work.isStale ? null : work.value;
   const error = now ? 100 * now.worst_relative_error : null;
   // the error falls with the root of the work
   const share = now ? Math.min(1, (target / Math.max(now.worst_relative_error, 1e-9)) ** 2) : 0;
   return (
-    <div class="progress roomProgress" data-rounds={now?.rounds ?? 0} data-error={now?.worst_relative_error ?? ""} data-state={work.state}>
+    <div class="progress roomProgress" data-rounds={now?.rounds ?? 0} data-error={now?.worst_relative_error ?? ""} data-state={work.state} data-whole={holdsAll(work, sunWork, light)}>
       {(isBusy || now) && <progress value={now ? (now.converged ? 1 : share) : undefined} max={1} aria-label={words.working} />}
       <span>
         {now && error !== null ? said.round(now.rounds, written(error)) : isBusy ? said.first : ""}

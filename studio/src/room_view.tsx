@@ -162,7 +162,7 @@ export function RoomView({ state, isDark }: { state: State; isDark: boolean }) {
           {work.state === "done" && !isStale ? `${when}, ${sunWords}. ${numbers}` : ""}
         </p>
         <RoomNumbers told={told} unit={unit} light={light.value} isStale={isStale} />
-        <RoomProgress work={work} target={room.error} known={faults} />
+        <RoomProgress work={work} sunWork={asked.sunWork} light={isStale ? null : light.value} target={room.error} known={faults} />
         {[...new Set([...(light.value?.notes ?? []), ...(paths.value?.warnings ?? [])])].map((note) => (
           <p key={note} class="hint note" role="note">
             {note}

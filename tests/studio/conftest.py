@@ -17,6 +17,9 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore")
     from starlette.testclient import TestClient
 
+# its assertions tell what they met, as those of a test do
+pytest.register_assert_rewrite("tests.studio.access")
+
 BLINDS = Path(__file__).parents[1] / "data" / "bsdf" / "blinds_tensortree3.xml"
 
 
@@ -52,10 +55,8 @@ def result_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="session")
 def studio(folder: Path) -> Iterator[str]:
     """The address of a studio in a process of its own."""
-    process, url = chromium.started(folder)
-    yield url
-    process.terminate()
-    process.wait(10)
+    with chromium.studio_of(folder) as url:
+        yield url
 
 
 @pytest.fixture(scope="module")

@@ -20,24 +20,13 @@ def studio(folder: Path) -> Iterator[str]:
     uneven_tree_bsdf(4).to_xml(folder / "tree4.xml")
     alone = Band(transmission_front=uneven_block(3))
     Bsdf(name="Half known", visible=alone, thickness_mm=2.0).to_dataset().to_netcdf(folder / "part.nc")
-    process, url = chromium.started(folder)
-    yield url
-    process.terminate()
-    process.wait(10)
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    sync_api = pytest.importorskip("playwright.sync_api")
-    with sync_api.sync_playwright() as playwright:
-        one = playwright.chromium.launch(executable_path=chromium.PATH, args=["--no-sandbox", "--disable-gpu"])
-        yield one
-        one.close()
+    with chromium.studio_of(folder) as url:
+        yield url
 
 
 def opened(browser: Any, studio: str, state: str, size: dict[str, int] = chromium.SIZE) -> Any:
     tab = browser.new_page(viewport=size)
-    tab.set_default_timeout(45_000)
+    chromium.watched(tab, studio)
     tab.goto(f'{studio}#view="bsdf"&{state}')
     return tab
 
@@ -67,7 +56,7 @@ def test_numbers_at_an_incidence_are_those_of_the_blocks(browser: Any, studio: s
     tab.get_by_text(re.compile("from the normal, at .*1/sr")).first.wait_for()
     disc.focus()
     tab.keyboard.press("ArrowRight")
-    assert tab.locator(".readPatch").count() >= 1
+    tab.locator(".readPatch").first.wait_for()
     tab.locator("#scale").select_option("linear")
     tab.close()
 
@@ -84,11 +73,11 @@ def test_what_a_file_does_not_hold_is_said_in_words(browser: Any, studio: str, f
 def test_two_bsdfs_are_compared(browser: Any, studio: str, folder: Path) -> None:
     tab = opened(browser, studio, 'bsdf.path="blinds.xml"&bsdf.compares=true')
     tab.locator("#file-b").select_option("uneven.xml")
+    tab.wait_for_function("() => location.hash.includes('uneven.xml')")
     assert shown(tab, "b-Transmitted") != shown(tab, "a-Transmitted")
     tab.wait_for_function(
         "() => document.querySelectorAll('section[aria-label=\"Shares against elevation\"] path.curve').length >= 8"
     )
-    tab.wait_for_function("() => location.hash.includes('uneven.xml')")
     chromium.picture(tab, "studio-two-bsdfs")
     tab.reload()
     shown(tab, "b-Transmitted")

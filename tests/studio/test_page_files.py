@@ -96,9 +96,10 @@ def test_a_toml_dropped_anywhere_opens_the_view_it_is_for(page: Any, tmp_path: P
     panel.write_text('kind = "pane"\nthickness_mm = 9.0\nmedium = "bk7"\n')
     page.get_by_role("tab", name="BSDF").click()
     drop(page, ".dropPlace", panel)
+    # it is told for some seconds
+    page.get_by_role("status").filter(has_text="panel.toml is open").wait_for()
     page.get_by_role("heading", name="Section, to scale").wait_for()
     page.wait_for_function("() => document.querySelector('#a-thickness_mm')?.value === '9'")
-    assert "panel.toml is open" in page.get_by_role("status").all_inner_texts()
     drop(page, "h1", EXAMPLES / "classroom/classroom.toml")
     page.locator('[role="tab"][aria-selected="true"]', has_text="Room").wait_for()
     sweep = tmp_path / "sweep.toml"
@@ -137,7 +138,7 @@ def test_an_odd_address_breaks_no_view(page: Any, studio: str, view: str) -> Non
             [f"view=%22{view}%22", *(f"{name}={quote(json.dumps(one))}" for name, one in told.items())]
         )
         page.evaluate("hash => { location.hash = hash }", hash_)
-        page.wait_for_timeout(60)
+        chromium.is_drawn(page)
     page.evaluate("view => { location.hash = `#view=%22${view}%22` }", view)
     page.locator("main h3, main .empty, main fieldset").first.wait_for()
     assert page.locator("main").inner_text().strip()

@@ -43,10 +43,8 @@ pytestmark = chromium.NEEDED
 def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     folder = tmp_path_factory.mktemp("rooms")
     shutil.copy(CLASSROOM, folder)
-    process, url = chromium.started(folder)
-    yield url
-    process.terminate()
-    process.wait(10)
+    with chromium.studio_of(folder) as url:
+        yield url
 
 
 @pytest.fixture
@@ -63,7 +61,7 @@ def opened(tab: Any, studio: str, state: str = "", theme: str = "light") -> None
     """The room view, its first numbers there."""
     tab.goto("about:blank")
     tab.goto(f'{studio}#view="room"&theme="{theme}"{state}')
-    tab.wait_for_selector("canvas[data-drawn]", timeout=30_000)
+    tab.wait_for_selector("canvas[data-drawn]")
     number(tab, "mean")
 
 
@@ -73,7 +71,6 @@ def number(tab: Any, name: str) -> float:
         "name => document.querySelector(`[data-number=${name}]`)?.dataset.value"
         " && !document.querySelector('.roomNumbers.stale')",
         arg=name,
-        timeout=30_000,
     )
     return float(tab.locator(f"[data-number={name}]").get_attribute("data-value"))
 
@@ -84,7 +81,6 @@ def changed(tab: Any, name: str, old: float) -> float:
         "([name, old]) => { const now = document.querySelector(`[data-number=${name}]`)?.dataset.value;"
         " return now && Number(now) !== old && !document.querySelector('.roomNumbers.stale'); }",
         arg=[name, old],
-        timeout=30_000,
     )
     return number(tab, name)
 
@@ -108,16 +104,10 @@ def colours(tab: Any) -> "np.ndarray[Any, Any]":
     return np.array(values, dtype=float).reshape(80, 160, 4)[..., :3]
 
 
-def settled(tab: Any) -> dict[str, float]:
-    """Waits until the work has reached its target; what the progress says then."""
-    tab.wait_for_selector(".roomProgress[data-state=done]", timeout=60_000)
-    place = tab.locator(".roomProgress")
-    return {name: float(place.get_attribute(f"data-{name}")) for name in ("rounds", "error")}
-
-
-def picture(tab: Any, name: str, *, is_whole: bool) -> None:
-    tab.wait_for_timeout(2500)
-    chromium.picture(tab, f"studio-{name}", is_whole=is_whole)
+def settled(tab: Any) -> None:
+    """Waits until the work has reached its target, of the sun as well, and is drawn."""
+    tab.wait_for_selector(".roomProgress[data-whole=true]")
+    chromium.is_still(tab)
 
 
 def api_light(minute: int) -> tuple[Any, Any]:
@@ -155,8 +145,6 @@ def test_a_room_is_seen_and_its_numbers_are_the_apis(tab: Any, studio: str) -> N
     seen = colours(tab)
     assert seen.std(axis=(0, 1)).min() > 12.0, "nothing is drawn"
     settled(tab)
-    # the sun's light is refined as well
-    tab.wait_for_timeout(1500)
     told = exported(tab)
     expected, error = api_light(660)
     off = (told["total_lx"] - expected) / np.hypot(told["standard_error_lx"], error)
@@ -185,6 +173,7 @@ def test_time_moves_the_sun_and_the_light_until_night(tab: Any, studio: str) -> 
     sun = sun_position(room_of(start_tables()).site, "2026-06-21 08:30").isel(time=0)
     tab.get_by_text(f"sun {float(sun.apparent_altitude_deg):.1f}° high").first.wait_for()
     early = changed(tab, "mean", before)
+    chromium.is_drawn(tab)
     assert np.abs(colours(tab) - seen).mean() > 1.0
     tab.locator("#room-day").fill("355")
     tab.get_by_text("21 December").first.wait_for()
@@ -197,6 +186,7 @@ def test_time_moves_the_sun_and_the_light_until_night(tab: Any, studio: str) -> 
 
 def test_the_sun_is_dragged_along_its_day_and_moved_by_keys(tab: Any, studio: str) -> None:
     opened(tab, studio, COARSE)
+    settled(tab)
     sun = tab.get_by_role("slider", name="Sun: drag")
     tab.wait_for_function("() => !document.querySelector('.sunHandle').hidden")
     box = sun.bounding_box()
@@ -204,8 +194,9 @@ def test_the_sun_is_dragged_along_its_day_and_moved_by_keys(tab: Any, studio: st
     tab.mouse.down()
     tab.mouse.move(box["x"] - 110, box["y"] + 90, steps=6)
     tab.mouse.up()
+    tab.wait_for_function("() => Number(document.querySelector('#room-minute').value) > 720")
+    chromium.is_drawn(tab)
     minute = int(tab.locator("#room-minute").input_value())
-    assert minute > 720
     sun.focus()
     tab.keyboard.press("ArrowRight")
     tab.wait_for_function("minute => Number(document.querySelector('#room-minute').value) === minute + 5", arg=minute)
@@ -225,10 +216,10 @@ def test_work_refines_while_one_looks_stops_and_goes_on(tab: Any, studio: str) -
             new MutationObserver(look).observe(place, { attributes: true });
         }"""
     )
-    tab.wait_for_function("() => new Set(window.seen.map(one => one[0])).size >= 4", timeout=40_000)
+    tab.wait_for_function("() => new Set(window.seen.map(one => one[0])).size >= 4")
     stop = tab.locator(".roomProgress").get_by_role("button", name="Stop")
     stop.click()
-    tab.wait_for_selector(".roomProgress[data-state=cancelled]", timeout=1500)
+    tab.wait_for_selector(".roomProgress[data-state=cancelled]")
     seen = np.array(tab.evaluate("() => window.seen"))
     rounds, first = np.unique(seen[:, 0], return_index=True)
     errors = seen[first, 1]
@@ -299,12 +290,11 @@ def test_a_link_reproduces_the_picture(tab: Any, browser: Any, studio: str) -> N
     tab.get_by_role("button", name="patches").click()
     tab.wait_for_function("() => location.hash.includes('room.patches=false') && location.hash.includes('room.eye')")
     settled(tab)
-    tab.wait_for_timeout(800)
-    other = browser.new_page(viewport={"width": 1360, "height": 900})
+    other = browser.new_page(viewport=chromium.SIZE)
+    chromium.watched(other, studio)
     other.goto(tab.url)
     number(other, "mean")
     settled(other)
-    other.wait_for_timeout(800)
     assert other.locator("#room-minute").input_value() == "570"
     assert np.abs(colours(tab) - colours(other)).mean() < 1.0
     other.close()
@@ -345,8 +335,8 @@ def test_pictures_for_the_docs(tab: Any, studio: str) -> None:
     tab.set_viewport_size({"width": 1360, "height": 1440})
     opened(tab, studio)
     settled(tab)
-    picture(tab, "room", is_whole=True)
+    chromium.picture(tab, "studio-room")
     tab.set_viewport_size(chromium.SIZE)
     opened(tab, studio, '&room.view="section"&room.minute=540&room.plane="on ceiling"', theme="dark")
     settled(tab)
-    picture(tab, "room-section", is_whole=False)
+    chromium.picture(tab, "studio-room-section", is_whole=False)
