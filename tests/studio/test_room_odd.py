@@ -66,7 +66,7 @@ def test_glazings_that_hold_themselves_are_refused(rooms: Any) -> None:
 def test_odd_questions_about_light_are_answered_or_refused_in_words(rooms: Any) -> None:
     asked = asked_room(rooms.app.state, {"room": {"tables": start_tables()}})
     sensors, _ = plane_sensors(asked.room(), "on back", 1.0)
-    kept = rooms.app.state.room_shelf.place(asked, None, sensors, "tregenza145")
+    kept = rooms.app.state.room_shelf.plane(asked, None, sensors, "tregenza145")
     rooms.app.state.room_shelf.add(kept.key, 0, (one_pass(asked.room(), sensors, "tregenza145", 0, 64)[0], 0.1))
     sky = {"kind": "cie", "sky_type": 12, "luminous_turbidity": 4.0, "diffuse_horizontal_illuminance_lx": 1e4}
     good = {"key": kept.key, "day_of_year": 172, "hour": 11.0, "sky": sky, "sun_rounds": 4}

@@ -19,7 +19,7 @@ from starlette.types import Receive, Scope, Send
 from clerestory import _native
 from clerestory.studio import bsdf_calls, job_calls, page_calls, panel_calls, result_calls, room_calls
 from clerestory.studio.answers import answer, refused
-from clerestory.studio.bsdf_shelf import Shelf
+from clerestory.studio.bsdf_shelf import BsdfShelf
 from clerestory.studio.folder import ENDINGS
 from clerestory.studio.folder import listed as files_of
 from clerestory.studio.guard import Guard
@@ -87,7 +87,7 @@ def make_app(settings: Settings) -> Starlette:
         middleware=[Middleware(Guard, settings=settings)],
         exception_handlers={500: _fault},
     )
-    app.state.settings, app.state.jobs, app.state.shelf = settings, jobs, Shelf()
+    app.state.settings, app.state.jobs, app.state.shelf = settings, jobs, BsdfShelf()
     app.state.results, app.state.reader, app.state.listing = ResultShelf(), reader, Listing()
     app.state.rooms, app.state.room_shelf = Rooms(), RoomShelf()
     return app

@@ -15,7 +15,7 @@ from clerestory.errors import ClerestoryError
 from clerestory.studio.answers import answer, refused
 from clerestory.studio.bsdf_answers import curve, cut, discs, incidence_of, told
 from clerestory.studio.bsdf_files import FORMATS, file_of
-from clerestory.studio.bsdf_shelf import Shelf
+from clerestory.studio.bsdf_shelf import BsdfShelf
 from clerestory.studio.fields import Field
 from clerestory.studio.folder import inside
 from clerestory.studio.requests import Asked, Call, call
@@ -76,7 +76,7 @@ _CUT = record(
 
 async def dropped(request: Request) -> Response:
     """Opens a BSDF's file that was dropped on the page: its content is the body."""
-    shelf: Shelf = request.app.state.shelf
+    shelf: BsdfShelf = request.app.state.shelf
     content, name = await request.body(), request.query_params.get("name", "file.xml")
 
     def read() -> dict[str, Any]:
@@ -91,7 +91,7 @@ async def dropped(request: Request) -> Response:
 
 def opened(request: Request, asked: Asked) -> dict[str, Any]:
     """Opens a file of the studio's folder, by `path`; or tells again of one that is open, by `key`."""
-    shelf: Shelf = request.app.state.shelf
+    shelf: BsdfShelf = request.app.state.shelf
     if "key" in asked:
         return told(asked["key"], shelf.get(asked["key"]))
     if "path" not in asked:

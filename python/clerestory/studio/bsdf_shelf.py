@@ -5,19 +5,17 @@ from __future__ import annotations
 import hashlib
 import re
 import tempfile
-import threading
 import warnings
-from collections import OrderedDict
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
 from clerestory.bsdf import Bsdf, BsdfWarning
 from clerestory.bsdf.checking import Finding
 from clerestory.bsdf.reading import read_bsdf
 from clerestory.errors import ClerestoryError
 from clerestory.rules import one_of
+from clerestory.studio.shelf import Shelf
 
 #: BSDFs kept at once; the one looked at longest ago goes first.
 _KEPT = 12
@@ -36,36 +34,11 @@ class Opened:
         return self.bsdf.check()
 
 
-class Shelf:
+class BsdfShelf(Shelf[Opened]):
     """A few opened BSDFs by a key that the same content always has."""
 
     def __init__(self) -> None:
-        self._opened: OrderedDict[str, Opened] = OrderedDict()
-        self._lock = threading.Lock()
-
-    def put(self, key: str, opened: Opened) -> str:
-        """Keeps a BSDF."""
-        with self._lock:
-            self._opened[key] = opened
-            self._opened.move_to_end(key)
-            while len(self._opened) > _KEPT:
-                self._opened.popitem(last=False)
-        return key
-
-    def get(self, key: Any) -> Opened:
-        """The BSDF of a key.
-
-        Raises
-        ------
-        ClerestoryError
-            If it is not kept (any more).
-        """
-        with self._lock:
-            found = self._opened.get(key) if isinstance(key, str) else None
-            if found is None:
-                raise ClerestoryError("key must be that of a BSDF that is open: open the file again")
-            self._opened.move_to_end(key)
-            return found
+        super().__init__(_KEPT, "key must be that of a BSDF that is open: open the file again")
 
     def read(self, content: bytes, name: str) -> str:
         """Reads a file's content and keeps it; even one whose numbers cannot be, so that its faults can be told.
@@ -78,9 +51,8 @@ class Shelf:
         shown = re.sub(r"[^\w.() -]", "_", Path(name.replace("\\", "/")).name)[-100:] or "file.xml"
         one_of("the ending of a BSDF's file", Path(shown).suffix.lower(), (".xml", ".nc"))
         key = hashlib.sha256(content).hexdigest()[:20]
-        with self._lock:
-            if key in self._opened:
-                return key
+        if self.find(key) is not None:
+            return key
         with tempfile.TemporaryDirectory(prefix="clerestory-") as folder:
             path = Path(folder) / shown
             path.write_bytes(content)

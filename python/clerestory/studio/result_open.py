@@ -35,7 +35,7 @@ def open_content(shelf: ResultShelf, reader: Reader, content: bytes, name: str) 
     """
     shown = re.sub(r"[^\w.() -]", "_", Path(name.replace("\\", "/")).name)[-100:] or "file"
     key = f"file-{hashlib.sha256(content).hexdigest()[:20]}"
-    if shelf.has(key):
+    if shelf.find(key) is not None:
         return key
     ending = Path(shown).suffix.lower()
     if ending == ".json":
@@ -70,7 +70,7 @@ def open_path(shelf: ResultShelf, reader: Reader, folder: Path, asked: Any) -> s
     elif path.stat().st_size > _MOST_FILE:
         raise ClerestoryError(f"path must be a file of at most {_MOST_FILE // 2**20} MiB, got {name!r}")
     key = f"path-{hashlib.sha256(signature(path).encode()).hexdigest()[:20]}"
-    if shelf.has(key):
+    if shelf.find(key) is not None:
         return key
     if path.suffix.lower() == ".json":
         return shelf.put(key, _of_summary(reader, path, name))

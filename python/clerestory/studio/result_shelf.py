@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import threading
-from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,7 +9,7 @@ from typing import Any
 
 import xarray as xr
 
-from clerestory.errors import ClerestoryError
+from clerestory.studio.shelf import Shelf
 
 #: Results kept at once, and bytes of them all; the one looked at longest ago goes first.
 _KEPT, _MOST_BYTES = 10, 1536 * 2**20
@@ -48,43 +46,16 @@ class Result:
         return self._made[name]
 
 
-class ResultShelf:
+class ResultShelf(Shelf[Result]):
     """A few opened results by a key that the same content always has."""
 
     def __init__(self) -> None:
-        self._opened: OrderedDict[str, Result] = OrderedDict()
-        self._lock = threading.Lock()
-
-    def put(self, key: str, result: Result) -> str:
-        """Keeps a result."""
-        with self._lock:
-            self._opened[key] = result
-            self._opened.move_to_end(key)
-            while len(self._opened) > 1 and (
-                len(self._opened) > _KEPT or sum(one.data.nbytes for one in self._opened.values()) > _MOST_BYTES
-            ):
-                self._opened.popitem(last=False)
-        return key
-
-    def has(self, key: str) -> bool:
-        """Whether a result is kept."""
-        with self._lock:
-            return key in self._opened
-
-    def get(self, key: Any) -> Result:
-        """The result of a key.
-
-        Raises
-        ------
-        ClerestoryError
-            If it is not kept (any more).
-        """
-        with self._lock:
-            found = self._opened.get(key) if isinstance(key, str) else None
-            if found is None:
-                raise ClerestoryError("key must be that of a result that is open: open the file again")
-            self._opened.move_to_end(key)
-            return found
+        super().__init__(
+            _KEPT,
+            "key must be that of a result that is open: open the file again",
+            most_bytes=_MOST_BYTES,
+            size=lambda one: one.data.nbytes,
+        )
 
 
 def signature(path: Path) -> str:

@@ -51,7 +51,7 @@ def asked_room_job(request: Request, asked: Asked) -> dict[str, Any]:
     variant = asked.get("variant")
     sensors, _ = plane_sensors(room.room(variant), asked.get("surface"), asked.get("spacing_m"))
     basis = asked["basis"]
-    kept = state.room_shelf.place(room, variant, sensors, basis)
+    kept = state.room_shelf.plane(room, variant, sensors, basis)
     return {
         "root": str(room.root),
         "folder": str(room.folder),

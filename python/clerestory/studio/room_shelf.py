@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import hashlib
-import threading
 from collections import OrderedDict
 from dataclasses import dataclass, field
 from typing import Any
 
 from clerestory import _native
-from clerestory.errors import ClerestoryError
 from clerestory.room.sensors import Sensors
 from clerestory.studio.room_asked import AskedRoom
 from clerestory.studio.room_pool import Pool
+from clerestory.studio.shelf import Shelf
 
 #: Coefficients kept at once, suns of each, and memory of all.
 _KEPT, _SUNS, _MOST_BYTES = 24, 64, 512 * 2**20
@@ -42,23 +41,21 @@ class Kept:
     suns: OrderedDict[Sun, Pool] = field(default_factory=OrderedDict)
 
 
-class RoomShelf:
+class RoomShelf(Shelf[Kept]):
     """A few planes' coefficients by a key that the same room, plane and basis always have."""
 
     def __init__(self) -> None:
-        self._kept: OrderedDict[str, Kept] = OrderedDict()
-        self._lock = threading.Lock()
+        super().__init__(
+            _KEPT,
+            "key must be that of a room that was computed: compute it again",
+            most_bytes=_MOST_BYTES,
+            size=lambda one: one.pool.nbytes,
+        )
 
-    def place(self, asked: AskedRoom, variant: str | None, sensors: Sensors, basis: str) -> Kept:
+    def plane(self, asked: AskedRoom, variant: str | None, sensors: Sensors, basis: str) -> Kept:
         """Where the coefficients of a plane are kept, new and empty if they are not yet."""
         key = key_of(asked, variant, sensors, basis)
-        with self._lock:
-            found = self._kept.get(key)
-            if found is None:
-                found = self._kept[key] = Kept(key, asked, variant, sensors, basis)
-            self._kept.move_to_end(key)
-            self._bounded()
-        return found
+        return self.place(key, lambda: Kept(key, asked, variant, sensors, basis))
 
     def get(self, key: Any) -> Kept:
         """The coefficients of a key.
@@ -68,11 +65,10 @@ class RoomShelf:
         ClerestoryError
             If they are not kept (any more), or not begun.
         """
-        with self._lock:
-            found = self._kept.get(key) if isinstance(key, str) else None
-            if found is None or not found.pool.batches:
-                raise ClerestoryError("key must be that of a room that was computed: compute it again")
-            self._kept.move_to_end(key)
+        with self.lock:
+            found = super().get(key)
+            if not found.pool.batches:
+                raise self.gone()
             return found
 
     def add(self, key: str, number: int, pooled: Any) -> Pool | None:
@@ -86,25 +82,26 @@ class RoomShelf:
         pooled : tuple of Batch and float
             And the seconds of processor time it took.
         """
-        with self._lock:
-            found = self._kept.get(key)
+        with self.lock:
+            found = self.find(key)
             if found is None:
                 return None
             if number == found.pool.passes:
                 found.pool = found.pool.with_batch(*pooled)
-            self._bounded()
+            self.trim()
             return found.pool
 
     def warn(self, key: str, notes: list[str]) -> None:
         """Keeps what was told of sensors that stand where no one would put one."""
-        with self._lock:
-            if key in self._kept:
-                self._kept[key].warned = tuple(notes)
+        with self.lock:
+            found = self.find(key)
+            if found is not None:
+                found.warned = tuple(notes)
 
     def add_sun(self, key: str, sun: Sun, number: int, pooled: Any) -> Pool | None:
         """As `add`, of one sun."""
-        with self._lock:
-            found = self._kept.get(key)
+        with self.lock:
+            found = self.find(key)
             if found is None:
                 return None
             pool = found.suns.get(sun, Pool())
@@ -117,15 +114,8 @@ class RoomShelf:
 
     def sun(self, kept: Kept, sun: Sun) -> Pool:
         """What is known of one sun, perhaps nothing."""
-        with self._lock:
+        with self.lock:
             return kept.suns.get(sun, Pool())
-
-    def _bounded(self) -> None:
-        def size() -> int:
-            return sum(one.pool.nbytes for one in self._kept.values())
-
-        while len(self._kept) > 1 and (len(self._kept) > _KEPT or size() > _MOST_BYTES):
-            self._kept.popitem(last=False)
 
 
 def key_of(asked: AskedRoom, variant: str | None, sensors: Sensors, basis: str) -> str:
