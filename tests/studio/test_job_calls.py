@@ -1,33 +1,21 @@
 """Long jobs: what they find, how they are followed, how soon they end."""
 
-import json
 import time
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+import pytest
+from tests.studio.following import ended, started, works
 
 from clerestory import panel_from_dict
+from clerestory.studio.job_calls import KINDS
+from clerestory.studio.job_shapes import job_shape
+from clerestory.studio.shapes import MisshapenError, Shape, fit
 
 IDEAL = {"kind": "laser-cut", "spacing_mm": 6.0, "thickness_mm": 5.0}
 #: Takes a minute at least.
 SLOW = IDEAL | {"spacing_mm": [3.1, 4.7, 5.3], "thickness_mm": 9.0, "cut_width_mm": 0.31, "cut_tilt_deg": 7.3}
-
-
-def ended(client: Any, key: str) -> list[dict[str, Any]]:
-    """Every event of a job until it is over."""
-    told = []
-    with client.stream("GET", f"/api/jobs/{key}/events") as stream:
-        assert stream.headers["content-type"].startswith("text/event-stream")
-        for line in stream.iter_lines():
-            if line.startswith("data: "):
-                told.append(json.loads(line[6:]))
-    return told
-
-
-def started(client: Any, **asked: Any) -> str:
-    answer = client.post("/api/jobs", json=asked)
-    assert answer.status_code == 200, answer.text
-    return answer.json()["job"]
 
 
 def test_deflection_against_elevation_is_that_of_the_api(client: Any) -> None:
@@ -61,26 +49,6 @@ def test_the_klems_disc_of_a_panel_is_its_bsdf(client: Any) -> None:
     np.testing.assert_allclose(discs["incident"]["values"], own.hemispherical(), rtol=1e-12)
     np.testing.assert_allclose(discs["outgoing"][0]["values"], own.values[:, discs["picked"]], rtol=1e-12)
     assert b"LBNL/Klems Full" in client.post("/api/bsdf/xml", json={"key": key}).content
-
-
-def test_a_cancelled_job_stops_long_before_its_end_and_the_next_one_runs(client: Any) -> None:
-    key = started(client, kind="angular", panel=SLOW)
-    begun, told = time.monotonic(), {"done": 0, "total": 0}
-    while told["done"] < 6:
-        told = client.get(f"/api/jobs/{key}").json()
-        assert told["state"] in ("waiting", "running"), told
-        time.sleep(0.02)
-    # by its own pace so far, on however busy a machine
-    left = (time.monotonic() - begun) * (told["total"] - told["done"]) / told["done"]
-    processes = [one for one in client.app.state.jobs.processes() if one.is_busy]
-    assert processes
-    before = time.monotonic()
-    assert client.delete(f"/api/jobs/{key}").json()["state"] == "cancelled"
-    while any(one.is_busy for one in processes):
-        assert time.monotonic() - before < left / 2.0
-        time.sleep(0.01)
-    assert ended(client, key)[-1]["state"] == "cancelled"
-    assert ended(client, started(client, kind="angular", panel=IDEAL))[-1]["state"] == "done"
 
 
 def test_what_is_wrong_is_told_before_a_job_waits(client: Any) -> None:
@@ -134,10 +102,39 @@ def test_a_fault_in_a_job_or_in_what_becomes_of_it_is_told_and_ends_no_worker(cl
     assert ended(client, started(client, kind="angular", panel=IDEAL))[-1]["state"] == "done"
 
 
-def test_a_job_of_a_page_that_was_closed_ends_alone(client: Any) -> None:
-    key = started(client, kind="angular", panel=SLOW)
-    with client.stream("GET", f"/api/jobs/{key}/events") as stream:
-        next(stream.iter_lines())
-    while (state := client.get(f"/api/jobs/{key}").json()["state"]) in ("waiting", "running"):
-        time.sleep(0.05)
-    assert state == "cancelled", "it went on to its end for nobody"
+def test_rays_that_refine_end_where_their_errors_are_small(client: Any) -> None:
+    rough = IDEAL | {"cut_slope_deg": 3.0}
+    key = started(client, kind="walk", panel=rough, elevation_deg=40.0)
+    first, second = (works(client, key)["partial"] for _ in range(2))
+    assert first["rays"] <= second["rays"]
+    assert sum(first["shares"][name] for name in ("transmittance", "reflectance", "absorptance", "residual")) == (
+        pytest.approx(1.0)
+    )
+    client.delete(f"/api/jobs/{key}")
+
+
+def test_every_kind_says_what_it_answers_down_to_the_numbers() -> None:
+    """No part of an answer is declared as whatever it may be."""
+    for kind in KINDS.values():
+        for shape in (kind.partial, kind.result):
+            assert list(leaves(shape))
+            assert all("type" in leaf for leaf in leaves(shape)), shape
+    shapes = {name: job_shape(name, kind) for name, kind in KINDS.items()}
+    told = {"job": "a", "kind": "room", "state": "running", "done": 0.0, "total": 1.0, "partial": {}, "result": None}
+    with pytest.raises(MisshapenError, match="key must be given"):
+        fit("job", told | {"errors": []}, shapes["room"])
+
+
+def leaves(shape: Shape) -> Iterator[Shape]:
+    """What a shape is made of in the end; a table that does not say its names is such an end without a type."""
+    if "anyOf" in shape:
+        for one in shape["anyOf"]:
+            yield from leaves(one)
+    elif shape.get("type") == "array":
+        yield from leaves(shape["items"])
+    elif shape.get("type") == "object":
+        assert shape["additionalProperties"] is False
+        for one in shape["properties"].values():
+            yield from leaves(one)
+    else:
+        yield shape

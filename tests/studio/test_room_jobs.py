@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.studio.test_job_calls import ended, started
+from tests.studio.following import ended, started
 from tests.studio.test_room_calls import CLEAR, ROOM, WHEN, ask
 
 from clerestory import daylight_coefficients, daylight_factor
@@ -85,24 +85,6 @@ def test_the_sun_is_refined_while_one_looks(rooms: Any) -> None:
     assert np.mean(fine["sun_standard_error_lx"]) < np.mean(coarse["sun_standard_error_lx"])
     night = rooms.post("/api/jobs", json={"kind": "room_sun", **when, "hour": 1.0})
     assert (night.status_code, night.json()["errors"][0]["field"]) == (422, "hour")
-
-
-def test_a_cancelled_room_is_left_and_the_next_is_quick(rooms: Any) -> None:
-    # would take an hour
-    key = started(rooms, kind="room", room=ROOM, target_relative_error=1e-5)
-    while not (told := rooms.get(f"/api/jobs/{key}").json())["partial"]:
-        assert told["state"] in ("waiting", "running"), told
-        time.sleep(0.02)
-    busy = [one for one in rooms.app.state.jobs.processes() if one.is_busy]
-    assert busy
-    late = time.monotonic() + 60.0
-    rooms.delete(f"/api/jobs/{key}")
-    while any(one.is_busy for one in busy):
-        assert time.monotonic() < late, "it goes on"
-        time.sleep(0.01)
-    # its process is warm still: nothing is loaded again
-    assert any(one.is_alive for one in busy)
-    assert job(rooms, target_relative_error=0.5)[-1]["state"] == "done"
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ import pandas as pd
 import pytest
 import xarray as xr
 from tests.studio.conftest import TestClient
+from tests.studio.following import looked
 
 from clerestory.illuminance import daylight_factor
 from clerestory.studio.app import make_app
@@ -352,10 +353,10 @@ def test_a_year_is_run_cancelled_and_goes_on_from_its_pieces(client: TestClient,
     job = client.post("/api/jobs", json={"kind": "year", "path": "again.toml"}).json()["job"]
     told, late = {"state": "waiting"}, time.monotonic() + 600.0
     while time.monotonic() < late and not list(pieces.glob("cases/*.nc")):
-        told = client.get(f"/api/jobs/{job}").json()
+        told = looked(client, job)
         assert told["state"] in ("waiting", "running"), told
         time.sleep(0.01)
-    told = client.get(f"/api/jobs/{job}").json()
+    told = looked(client, job)
     assert 0.0 < told["done"] < 1.0
     assert told["partial"]["variant"] in ("glass", "panel above", "dark")
     client.delete(f"/api/jobs/{job}")
@@ -364,7 +365,7 @@ def test_a_year_is_run_cancelled_and_goes_on_from_its_pieces(client: TestClient,
     assert not (result_folder / "out/again/year.nc").exists()
     job = client.post("/api/jobs", json={"kind": "year", "path": "again.toml"}).json()["job"]
     while time.monotonic() < late and told["state"] != "done":
-        told = client.get(f"/api/jobs/{job}").json()
+        told = looked(client, job)
         assert told["state"] in ("waiting", "running", "done", "cancelled"), told
         time.sleep(0.1)
     assert told["result"]["path"] == "out/again/year.nc"

@@ -103,7 +103,11 @@ def _about(request: Request, asked: Asked) -> dict[str, Any]:
 
 async def _described(request: Request) -> Response:
     """This description of the calls."""
-    return answer(description(request.app.routes, has_token=request.app.state.settings.token is not None))
+    return answer(
+        description(
+            request.app.routes, has_token=request.app.state.settings.token is not None, schemas=job_calls.SCHEMAS
+        )
+    )
 
 
 class _Elsewhere:

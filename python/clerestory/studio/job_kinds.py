@@ -10,6 +10,7 @@ from starlette.requests import Request
 
 from clerestory.studio.fields import Fields
 from clerestory.studio.requests import Asked
+from clerestory.studio.shapes import Shape
 
 
 @dataclass(frozen=True)
@@ -23,6 +24,8 @@ class Kind:
     check : callable
         Makes of what was asked the arguments of the function of :mod:`clerestory.studio.work`; what is wrong is told
         before the job waits in line.
+    partial, result : Shape
+        Of what the page gets on the way and in the end.
     finish : callable, optional
         Makes of the application's state and the result what the page gets.
     heard : callable, optional
@@ -35,6 +38,8 @@ class Kind:
 
     fields: Fields
     check: Callable[[Request, Asked], Asked]
+    partial: Shape
+    result: Shape
     finish: Callable[[Any, Any], Any] | None = None
     heard: Callable[[Any, Asked, Any], Any] | None = None
     is_slow: bool = False

@@ -9,6 +9,7 @@ import time
 from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from datetime import UTC, datetime
 from typing import Any
 
 from clerestory.errors import ClerestoryError
@@ -26,6 +27,10 @@ class Job:
 
     Attributes
     ----------
+    asked : dict
+        What the page asked, which may be told again; ``arguments`` is what became of it.
+    followers : int
+        Who reads its events now.
     state : {"waiting", "running", "done", "failed", "cancelled"}
     done, total : float
         How far it is; total 0: not known.
@@ -41,6 +46,8 @@ class Job:
     finish: Callable[[Any], Any]
     heard: Callable[[Any], Any]
     is_slow: bool = False
+    asked: dict[str, Any] = field(default_factory=dict)
+    asked_at: datetime = field(default_factory=lambda: datetime.now(UTC))
     followers: int = 0
     key: str = field(default_factory=lambda: secrets.token_urlsafe(9))
     state: str = "waiting"
@@ -99,6 +106,7 @@ class Jobs:
         heard: Callable[[Any], Any] = lambda partial: partial,
         *,
         is_slow: bool = False,
+        asked: dict[str, Any] | None = None,
     ) -> Job:
         """Puts a job in line.
 
@@ -114,6 +122,8 @@ class Jobs:
             Makes what the page gets of what there is so far.
         is_slow : bool, default False
             Whether it may take minutes: one process is left for others, if there is more than one.
+        asked : dict, optional
+            What the page asked, to be told again.
 
         Raises
         ------
@@ -125,7 +135,7 @@ class Jobs:
                 raise ClerestoryError("a job must be asked for while the studio runs: start it again")
             if sum(not job.is_over for job in self._jobs.values()) >= self.most_jobs:
                 raise ClerestoryError(f"at most {self.most_jobs} jobs may wait at once: cancel one, or wait")
-            job = Job(kind, arguments, finish, heard, is_slow)
+            job = Job(kind, arguments, finish, heard, is_slow, asked or {})
             self._jobs[job.key] = job
             for key in [key for key, one in self._jobs.items() if one.is_over][: max(0, len(self._jobs) - _KEPT)]:
                 del self._jobs[key]
@@ -149,6 +159,11 @@ class Jobs:
         """The job of a key, None if it is not known (any more)."""
         with self._changed:
             return self._jobs.get(key)
+
+    def every(self) -> list[Job]:
+        """All that are known, the oldest first."""
+        with self._changed:
+            return list(self._jobs.values())
 
     def cancel(self, key: str) -> Job | None:
         """Ends a job; its process stops at once or is ended. One that is over stays as it is."""
@@ -282,6 +297,11 @@ class _Process:
     def is_alive(self) -> bool:
         """Whether it runs."""
         return self._process.is_alive()
+
+    @property
+    def pid(self) -> int:
+        """Its number on this machine."""
+        return int(self._process.pid or 0)
 
     def is_ready(self, patience_s: float) -> bool:
         """Whether it has loaded what it needs, or does so within some seconds."""

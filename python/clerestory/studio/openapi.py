@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from starlette.routing import BaseRoute
@@ -23,7 +23,9 @@ _REFUSALS = {
 }
 
 
-def description(routes: Iterable[BaseRoute], *, has_token: bool) -> dict[str, Any]:
+def description(
+    routes: Iterable[BaseRoute], *, has_token: bool, schemas: Mapping[str, Shape] | None = None
+) -> dict[str, Any]:
     """The OpenAPI description of those routes that are calls.
 
     Parameters
@@ -31,6 +33,8 @@ def description(routes: Iterable[BaseRoute], *, has_token: bool) -> dict[str, An
     routes : iterable of routes
     has_token : bool
         Whether each request must carry a token.
+    schemas : mapping of str → Shape, optional
+        Shapes that answers refer to by name.
     """
     paths: dict[str, Any] = {}
     for one in routes:
@@ -48,7 +52,7 @@ def description(routes: Iterable[BaseRoute], *, has_token: bool) -> dict[str, An
         },
         "paths": paths,
         "components": {
-            "schemas": {"Errors": ERRORS},
+            "schemas": {"Errors": ERRORS, **(schemas or {})},
             "responses": {code: _refusal(text) for code, text in _REFUSALS.items()},
             **({"securitySchemes": {"bearer": bearer}} if has_token else {}),
         },
@@ -62,7 +66,7 @@ def _operation(one: Call, has_token: bool) -> dict[str, Any]:
         ["403", "413"]
         + ["401"] * has_token
         + ["404"] * bool(keys)
-        + ["422"] * (one.takes is not None or bool(one.upload))
+        + ["422"] * (one.takes is not None or bool(one.query))
     )
     parameters = [
         {

@@ -42,7 +42,8 @@ _LOBE = record(
         "direction": listed(NUMBER, least=3, most=3),
     }
 )
-_SHARES = (
+#: How light divides, by the names of :meth:`Panel.angular`.
+SHARES = (
     "transmittance",
     "reflectance",
     "absorptance",
@@ -94,7 +95,7 @@ _KINDS = record(
         "presets": listed(record({"name": TEXT, "group": TEXT, "panel": TABLE})),
     }
 )
-_ALL_SHARES = record(dict.fromkeys(_SHARES, NUMBER))
+_ALL_SHARES = record(dict.fromkeys(SHARES, NUMBER))
 _LOBES = record(
     {
         "lobes": listed(_LOBE),

@@ -12,9 +12,9 @@ from clerestory.studio.bsdf_shelf import Opened
 from clerestory.studio.fields import Field
 from clerestory.studio.job_kinds import Kind
 from clerestory.studio.klems_key import klems_key
-from clerestory.studio.panel_calls import AZIMUTH, ELEVATION, PANEL, SIDE, asked_panel
+from clerestory.studio.panel_calls import AZIMUTH, ELEVATION, PANEL, SHARES, SIDE, asked_panel
 from clerestory.studio.requests import Asked
-from clerestory.studio.shapes import word
+from clerestory.studio.shapes import INTEGER, NUMBER, TEXT, Shape, listed, maybe, record, word
 
 
 def _of_panel(request: Request, asked: Asked) -> Asked:
@@ -33,22 +33,58 @@ def _partly_shelved(state: Any, _: Asked, partial: dict[str, Any]) -> dict[str, 
     return partial
 
 
+_ANGULAR_FIELDS = {"panel": PANEL, "azimuth_deg": AZIMUTH, "side": SIDE}
 _INCIDENCE = {"panel": PANEL, "elevation_deg": ELEVATION, "azimuth_deg": AZIMUTH, "side": SIDE}
+_KLEMS_FIELDS = {
+    "panel": PANEL,
+    "basis": Field(word(*KLEMS_BASES), "Patches of the hemisphere", KLEMS_BASES[0]),
+    "accuracy": Field(word("fine", "rays"), "As closely as a file needs it, or by random draws", "fine"),
+}
+
+_COLUMN = listed(maybe(NUMBER))
+#: Columns of a table over elevation; those of rays have standard errors, those of beams what was not followed.
+_TABLE = record(
+    {"elevation_deg": listed(NUMBER)},
+    also=dict.fromkeys((*SHARES, *(f"{name}_standard_error" for name in SHARES)), _COLUMN),
+)
+_EACH_SHARE = record(dict.fromkeys(SHARES, NUMBER))
+_WALKED = record(
+    {
+        "shares": _EACH_SHARE,
+        "standard_errors": _EACH_SHARE,
+        "rays": INTEGER,
+        "distribution": record(dict.fromkeys(("edges_deg", "front", "back"), listed(NUMBER))),
+        "share_done": NUMBER,
+    }
+)
+_BEAM = record(
+    {
+        "wavelength_nm": NUMBER,
+        "elevation_deg": NUMBER,
+        "azimuth_deg": NUMBER,
+        "power": NUMBER,
+        "side": word("front", "back"),
+    }
+)
+_BEAMS = record({"beams": listed(_BEAM)})
+_BSDF_KEY: Shape = {**TEXT, "description": "Of a BSDF that is open, as far as it is known"}
+_STAGE = record(
+    {},
+    also={
+        "key": _BSDF_KEY,
+        "stage": word("rays", "fine"),
+        "left_s": {**NUMBER, "description": "About how long it still takes [s]"},
+    },
+)
 KINDS: dict[str, Kind] = {
-    "angular": Kind({"panel": PANEL, "azimuth_deg": AZIMUTH, "side": SIDE}, _of_panel, ends_alone=True),
-    "walk": Kind(
-        {"panel": PANEL, "elevation_deg": ELEVATION, "azimuth_deg": AZIMUTH, "side": SIDE}, _of_panel, ends_alone=True
-    ),
-    "dispersion": Kind(
-        {"panel": PANEL, "elevation_deg": ELEVATION, "azimuth_deg": AZIMUTH, "side": SIDE}, _of_panel, ends_alone=True
-    ),
+    "angular": Kind(_ANGULAR_FIELDS, _of_panel, _TABLE, _TABLE, ends_alone=True),
+    "walk": Kind(_INCIDENCE, _of_panel, _WALKED, _WALKED, ends_alone=True),
+    "dispersion": Kind(_INCIDENCE, _of_panel, _BEAMS, _BEAMS, ends_alone=True),
     "klems": Kind(
-        {
-            "panel": PANEL,
-            "basis": Field(word(*KLEMS_BASES), "Patches of the hemisphere", KLEMS_BASES[0]),
-            "accuracy": Field(word("fine", "rays"), "As closely as a file needs it, or by random draws", "fine"),
-        },
+        _KLEMS_FIELDS,
         _of_panel,
+        _STAGE,
+        record({"key": _BSDF_KEY}),
         _shelved,
         _partly_shelved,
         is_slow=True,

@@ -9,6 +9,7 @@ from starlette.requests import Request
 from clerestory.errors import ClerestoryError
 from clerestory.rules import positive
 from clerestory.studio.fields import Field
+from clerestory.studio.job_kinds import Kind
 from clerestory.studio.requests import Asked
 from clerestory.studio.room_asked import asked_room
 from clerestory.studio.room_calls import DAY, HOUR, KEY, ROOM, SKY, VARIANT
@@ -17,7 +18,7 @@ from clerestory.studio.room_numbers import whole
 from clerestory.studio.room_planes import plane_sensors
 from clerestory.studio.room_sky import direction_is_up, moment_of
 from clerestory.studio.room_work import bare
-from clerestory.studio.shapes import INTEGER, NUMBER, TEXT, word
+from clerestory.studio.shapes import FLAG, INTEGER, NUMBER, TEXT, Shape, listed, maybe, record, word
 
 #: Bases that the studio computes in, and how many rounds a job may take.
 BASES = ("tregenza145", "reinhart577", "reinhart2305")
@@ -25,7 +26,7 @@ _MOST_ROUNDS = 4096
 #: Processor time of a first pass that makes it worth telling alone [s].
 _SOON_S = 0.5
 
-ROOM_FIELDS = {
+_ROOM_FIELDS = {
     "room": ROOM,
     "variant": VARIANT,
     "surface": Field(TEXT, "Name of a plane of the room; without it the first of its sensors", None),
@@ -34,7 +35,7 @@ ROOM_FIELDS = {
     "target_relative_error": Field(NUMBER, "Standard error at the worst sensor under an overcast sky [1]", 0.02),
     "max_rounds": Field(INTEGER, "Where it gives up [2..4096]", _MOST_ROUNDS),
 }
-SUN_FIELDS = {
+_SUN_FIELDS = {
     "key": KEY,
     "day_of_year": DAY,
     "hour": HOUR,
@@ -42,6 +43,18 @@ SUN_FIELDS = {
     "target_relative_error": Field(NUMBER, "Standard error of the sun's light at the worst sensor [1]", 0.05),
     "max_rounds": Field(INTEGER, "Where it gives up [2..4096]", 1024),
 }
+#: How good what there is is; errors are null where they are not known, or larger than any number.
+_GOOD: dict[str, Shape] = {
+    "key": {**TEXT, "description": "Of the coefficients, which other calls take"},
+    "rounds": INTEGER,
+    "passes": INTEGER,
+    "worst_relative_error": {**maybe(NUMBER), "description": "Standard error at the worst sensor [1]"},
+    "mean_relative_error": {**maybe(NUMBER), "description": "Its mean over the sensors [1]"},
+    "cpu_seconds": NUMBER,
+    "converged": {**FLAG, "description": "Whether the target is reached"},
+}
+_SUN_GOOD = _GOOD | dict.fromkeys(("altitude_deg", "azimuth_deg"), NUMBER)
+_NOTES = {"notes": {**listed(TEXT), "description": "What the reader should know of it"}}
 
 
 def asked_room_job(request: Request, asked: Asked) -> dict[str, Any]:
@@ -102,3 +115,16 @@ def keep_sun_pass(state: Any, arguments: Asked, partial: Any) -> Any:
     pooled = (partial["batch"], partial["cpu_seconds"])
     state.room_shelf.add_sun(arguments["key"], arguments["sun"], partial["number"], pooled)
     return partial["told"]
+
+
+KINDS: dict[str, Kind] = {
+    "room": Kind(_ROOM_FIELDS, asked_room_job, record(_GOOD | _NOTES), record(_GOOD), heard=keep_pass, ends_alone=True),
+    "room_sun": Kind(
+        _SUN_FIELDS,
+        asked_sun_job,
+        record(_SUN_GOOD),
+        record(_SUN_GOOD, also=_NOTES),
+        heard=keep_sun_pass,
+        ends_alone=True,
+    ),
+}

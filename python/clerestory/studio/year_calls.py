@@ -7,11 +7,20 @@ from starlette.requests import Request
 from clerestory.errors import ClerestoryError
 from clerestory.studio.fields import Field
 from clerestory.studio.folder import inside
+from clerestory.studio.job_kinds import Kind
 from clerestory.studio.requests import Asked
-from clerestory.studio.shapes import TEXT
+from clerestory.studio.shapes import NUMBER, TEXT, maybe, record
 from clerestory.studio.year_work import stays_inside, where_to
 
-FIELDS = {"path": Field(TEXT, "Path of a year file in the studio's folder")}
+_FIELDS = {"path": Field(TEXT, "Path of a year file in the studio's folder")}
+_RUN = record(
+    {
+        "variant": {**TEXT, "description": "Label of the variant that is computed; empty where it is about none"},
+        "what": {**TEXT, "description": "What is done now, in words"},
+        "seconds_left": {**maybe(NUMBER), "description": "About how long it still takes [s]; null while not known"},
+        "path": {**maybe(TEXT), "description": "Of the year.nc in the studio's folder, once it is written"},
+    }
+)
 
 
 def check(request: Request, asked: Asked) -> Asked:
@@ -23,3 +32,6 @@ def check(request: Request, asked: Asked) -> Asked:
     stays_inside(folder, path)
     where_to(folder, path)
     return {"folder": str(folder), "path": path}
+
+
+KINDS = {"year": Kind(_FIELDS, check, _RUN, _RUN, is_slow=True)}
