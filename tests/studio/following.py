@@ -53,7 +53,7 @@ def works(client: Any, key: str) -> dict[str, Any]:
 
 
 def is_left_at_once(client: Any, key: str) -> None:
-    """Cancels a job that works: its process stops or ends within a second.
+    """Cancels a job that works: its process stops or ends within a second, and the next job is done.
 
     The second is one of the process' own work on all cores: a machine that is busy with others gives it less than that,
     and then more time passes. A process that goes on is seen by its work and, at the last, by the clock.
@@ -73,6 +73,12 @@ def is_left_at_once(client: Any, key: str) -> None:
     time.sleep(0.5)
     assert quiet is None or (cpu_s(process.pid) or quiet) - quiet < 0.1
     assert looked(client, key)["state"] == "cancelled"
+    panel = {"kind": "laser-cut", "spacing_mm": 6.0, "thickness_mm": 5.0}
+    key, late = started(client, kind="dispersion", panel=panel, elevation_deg=30.0), time.monotonic() + 60.0
+    while (told := looked(client, key))["state"] != "done":
+        assert told["state"] in ("waiting", "running"), told
+        assert time.monotonic() < late, told
+        time.sleep(0.02)
 
 
 def cpu_s(process: int) -> float | None:
