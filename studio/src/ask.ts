@@ -1,5 +1,7 @@
 // Questions to the server: one at a time each, the newest alone; and jobs that are followed as they go.
 
+import { keepFile, keptFile } from "./kept_files";
+
 export interface Fault {
   field: string | null;
   message: string;
@@ -12,19 +14,56 @@ export class Refused extends Error {
 }
 
 export async function ask<T>(path: string, body: unknown = {}): Promise<T> {
-  return (await asked(path, { method: "POST", body: JSON.stringify(body), headers: { "content-type": "application/json" } })).json();
+  return (await posted(path, body)).json();
 }
 
 export async function askText(path: string, body: unknown): Promise<string> {
-  return (await asked(path, { method: "POST", body: JSON.stringify(body), headers: { "content-type": "application/json" } })).text();
+  return (await posted(path, body)).text();
 }
 
 export async function askBlob(path: string, body: unknown): Promise<Blob> {
-  return (await asked(path, { method: "POST", body: JSON.stringify(body), headers: { "content-type": "application/json" } })).blob();
+  return (await posted(path, body)).blob();
 }
 
-export async function send<T>(path: string, file: Blob): Promise<T> {
-  return (await asked(path, { method: "POST", body: file })).json();
+export async function get<T>(path: string): Promise<T> {
+  return (await asked(path, { method: "GET" })).json();
+}
+
+/** Gives the studio a file, which is kept under the key of the answer. */
+export async function send<T extends { key: string }>(path: string, file: Blob): Promise<T> {
+  const found: T = await (await asked(path, { method: "POST", body: file })).json();
+  void keepFile(found.key, path, file);
+  return found;
+}
+
+async function posted(path: string, body: unknown): Promise<Response> {
+  const how = { method: "POST", body: JSON.stringify(body), headers: { "content-type": "application/json" } };
+  try {
+    return await asked(path, how);
+  } catch (fault) {
+    const key = (body as { key?: unknown }).key;
+    const isUnknown = (fault as Refused).faults?.[0]?.field === "key" && typeof key === "string";
+    if (!isUnknown || !(await givenBack(key))) throw fault;
+    return asked(path, how);
+  }
+}
+
+const giving = new Map<string, Promise<boolean>>();
+
+/** Gives the studio a file again that it does not know any more, once for all questions that wait for it. */
+function givenBack(key: string): Promise<boolean> {
+  const now = giving.get(key) ?? giveBack(key).finally(() => giving.delete(key));
+  giving.set(key, now);
+  return now;
+}
+
+async function giveBack(key: string): Promise<boolean> {
+  const kept = await keptFile(key);
+  if (!kept) return false;
+  return asked(kept.path, { method: "POST", body: kept.file }).then(
+    () => true,
+    () => false,
+  );
 }
 
 /** How often the studio has come back after it was gone. */
@@ -127,7 +166,7 @@ export interface JobState<T> {
   errors: Fault[];
 }
 
-/** A job that is started, followed and, once nobody wants it, cancelled. */
+/** A job that is started, or found, followed and, once nobody wants it, cancelled. */
 export class Work<T> {
   private key = "";
   private source: EventSource | null = null;
@@ -137,13 +176,14 @@ export class Work<T> {
     body: Record<string, unknown>,
     private readonly heard: (state: JobState<T>) => void,
     private readonly failed: (fault: Refused) => void,
+    found: Promise<JobState<T> | null> = Promise.resolve(null),
   ) {
-    void this.start(body);
+    void this.start(body, found);
   }
 
-  private async start(body: Record<string, unknown>) {
+  private async start(body: Record<string, unknown>, found: Promise<JobState<T> | null>) {
     try {
-      const first = await ask<JobState<T>>("/api/jobs", body);
+      const first = (await found) ?? (await ask<JobState<T>>("/api/jobs", body));
       this.key = first.job;
       if (!this.wanted) return this.end();
       this.heard(first);
