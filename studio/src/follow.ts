@@ -2,6 +2,7 @@
 
 import { useEffect, useReducer, useRef, useState } from "preact/hooks";
 import { ask, back, Channel, type Fault, type JobState, Refused, Work } from "./ask";
+import { orphan } from "./job_list";
 import { current, follow, type State } from "./state";
 
 export function useStudio(): State {
@@ -62,8 +63,11 @@ export interface Doing<T> extends Answer<T> {
   stop: () => void;
 }
 
-/** A job for the newest question: the old one is cancelled as soon as another is asked. */
-export function useJob<T>(body: Record<string, unknown>, isAutomatic: boolean): Doing<T> {
+/**
+ * A job for the newest question: the old one is cancelled as soon as another is asked. One that was asked the same before
+ * the page was loaded again is gone on with; `isFound`: also where jobs of this kind are started by hand.
+ */
+export function useJob<T>(body: Record<string, unknown>, isAutomatic: boolean, isFound = false): Doing<T> {
   const work = useRef<Work<T> | null>(null);
   const [found, setFound] = useState<{ value: T | null; text: string; faults: Fault[]; state: Doing<T>["state"]; share: number }>({
     value: null,
@@ -73,7 +77,7 @@ export function useJob<T>(body: Record<string, unknown>, isAutomatic: boolean): 
     share: 0,
   });
   const text = JSON.stringify(body);
-  const start = () => {
+  const begin = (before: Promise<JobState<T> | null>) => {
     work.current?.cancel();
     setFound((old) => ({ ...old, faults: [], state: "waiting", share: 0 }));
     work.current = new Work<T>(
@@ -85,8 +89,10 @@ export function useJob<T>(body: Record<string, unknown>, isAutomatic: boolean): 
           return value ? { value, text, faults: [], state: job.state, share } : { ...old, state: job.state, share };
         }),
       (fault) => setFound((old) => ({ ...old, faults: fault.faults ?? [], state: "failed" })),
+      before,
     );
   };
+  const start = () => begin(orphan<T>(JSON.parse(text)));
   const stop = () => {
     work.current?.cancel();
     setFound((old) => ({ ...old, state: "cancelled" }));
@@ -100,7 +106,10 @@ export function useJob<T>(body: Record<string, unknown>, isAutomatic: boolean): 
     const later = setTimeout(start, 350);
     return () => clearTimeout(later);
   }, [text, isAutomatic]);
-  useEffect(() => () => work.current?.cancel(), []);
+  useEffect(() => {
+    if (isFound) void orphan<T>(JSON.parse(text)).then((before) => before && begin(Promise.resolve(before)));
+    return () => work.current?.cancel();
+  }, []);
   return { ...found, isStale: found.text !== text, start, stop };
 }
 

@@ -28,7 +28,7 @@ export function useLooked(panel: Panel, sun: PanelState, isShown: boolean, follo
   const isRough = isShown && lobes.value?.is_smooth === false && lobes.faults.length === 0;
   const walk = useJob<Walked>({ kind: "walk", panel, ...incidence }, isRough);
   const angular = useJob<Table>({ kind: "angular", panel, azimuth_deg: sun.azimuth, side: sun.side }, isShown && lobes.faults.length === 0);
-  const klems = useJob<KlemsTold>({ kind: "klems", panel, basis: sun.basis, accuracy: sun.accuracy }, false);
+  const klems = useJob<KlemsTold>({ kind: "klems", panel, basis: sun.basis, accuracy: sun.accuracy }, false, true);
   const dispersion = useJob<Dispersion>({ kind: "dispersion", panel, ...incidence }, follows && isShown && lobes.faults.length === 0);
   const key = klems.isStale ? "" : klems.value?.key;
   const discs = useAnswer<Discs>("/api/bsdf/discs", isShown && key ? { key, ...incidence, band: sun.band } : null);

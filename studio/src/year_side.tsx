@@ -5,7 +5,7 @@ import { ask, type Fault, Refused } from "./ask";
 import { ChoiceInput, chosen, Faults } from "./inputs";
 import { change } from "./state";
 import type { Listed, Results } from "./year_answers";
-import { startYear, stopYear, useYearRun } from "./year_run";
+import { findYear, knowYear, startYear, stopYear, useYearRun } from "./year_run";
 import { year as words } from "./words/year";
 
 interface Props {
@@ -30,12 +30,16 @@ export function YearSide({ path, runPath, isOver, faults, onDrop, onOpen }: Prop
       (fault: Refused) => setWrong(fault.faults ?? []),
     );
   };
-  useEffect(look, []);
   useEffect(() => {
-    if (run.state !== "done" || !run.now?.path) return;
+    look();
+    void findYear(runPath).then((path) => path && change("year", { run: path }));
+  }, []);
+  useEffect(() => {
+    if (!run.isNews || !run.now?.path) return;
+    knowYear();
     look();
     onOpen(run.now.path);
-  }, [run.state]);
+  }, [run.isNews]);
   const years = found?.years ?? [];
   const chosenYear = years.find((one) => one.path === runPath)?.path ?? years[0]?.path ?? "";
   const isRunning = run.state === "waiting" || run.state === "running";
