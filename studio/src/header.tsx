@@ -2,6 +2,7 @@
 
 import { useEffect, useState } from "preact/hooks";
 import { chosen } from "./inputs";
+import { droppedFile } from "./dropped_folder";
 import { openFile, pageToml } from "./open_file";
 import { saveFile } from "./save";
 import { change, link, type State } from "./state";
@@ -19,7 +20,7 @@ export function Header({ state, views, view }: { state: State; views: string[]; 
   const [note, setNote] = useState<Note>({ text: "", isWrong: false });
   const [isOver, setIsOver] = useState(false);
   const take = async (file: File | undefined) => file && setNote(await openFile(file));
-  useDrop(take, setIsOver);
+  useDrop(take, (fault) => setNote({ text: `${words.badFile}: ${fault.message}`, isWrong: true }), setIsOver);
   useEffect(() => {
     if (!note.text || note.isWrong) return;
     const later = setTimeout(() => setNote({ text: "", isWrong: false }), 1000 * NOTE_S);
@@ -71,7 +72,7 @@ export function Header({ state, views, view }: { state: State; views: string[]; 
       <div class="pageFiles" role="group" aria-label={words.pageFiles}>
         <label class="button" title={words.openHint}>
           {words.openPage}
-          <input type="file" accept=".toml,.xml,.nc,.csv,.json" onChange={(event) => void take(chosen(event))} />
+          <input type="file" accept=".toml,.xml,.nc,.csv,.json,.zip" onChange={(event) => void take(chosen(event))} />
         </label>
         <button onClick={() => void save()} title={words.savePageHint}>
           {words.savePage}
@@ -93,7 +94,7 @@ export function Header({ state, views, view }: { state: State; views: string[]; 
 }
 
 /** Files dropped anywhere: a TOML is taken whatever view it falls on, others where no view takes them itself. */
-function useDrop(take: (file: File | undefined) => unknown, setIsOver: (is: boolean) => void) {
+function useDrop(take: (file: File | undefined) => unknown, refuse: (fault: Error) => void, setIsOver: (is: boolean) => void) {
   useEffect(() => {
     let later = 0;
     const over = (event: DragEvent) => {
@@ -113,7 +114,7 @@ function useDrop(take: (file: File | undefined) => unknown, setIsOver: (is: bool
     const last = (event: DragEvent) => {
       if (event.defaultPrevented) return;
       event.preventDefault();
-      take(event.dataTransfer?.files[0]);
+      void droppedFile(event.dataTransfer).then(take, refuse);
     };
     window.addEventListener("dragover", over);
     window.addEventListener("drop", first, true);

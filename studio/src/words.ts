@@ -45,6 +45,7 @@ export const words = {
   exports: "Save as",
   openToml: "Open TOML",
   badFile: "This file was not opened",
+  folderTooLarge: (name: string) => `${name} must hold at most 10 000 files and 64 MiB to be dropped: open it from the studio's own folder`,
   files: "Files of the folder",
   chooseFile: "Choose a file",
   drop: "Drop a BSDF (XML) here, or choose one",

@@ -48,7 +48,7 @@ export function YearSide({ path, runPath, isOver, faults, onDrop, onOpen }: Prop
       <label class={`dropPlace${isOver ? " over" : ""}`}>
         {words.drop}
         <small>{words.dropKinds}</small>
-        <input type="file" accept=".nc,.csv,.json" onChange={(event) => onDrop(chosen(event))} />
+        <input type="file" accept=".nc,.csv,.json,.zip" onChange={(event) => onDrop(chosen(event))} />
       </label>
       <Faults faults={faults} />
       <fieldset class="controls">

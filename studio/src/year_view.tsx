@@ -1,6 +1,7 @@
 // Any result of a study: opened or dropped, its variants compared, in plan, by the hour, as a table of cases.
 
 import { useEffect, useState } from "preact/hooks";
+import { droppedFile } from "./dropped_folder";
 import { ask, type Fault, Refused, send } from "./ask";
 import { change, type State } from "./state";
 import type { ResultTold } from "./year_answers";
@@ -83,7 +84,7 @@ export function YearView({ state, isDark }: { state: State; isDark: boolean }) {
       onDrop={(event) => {
         event.preventDefault();
         setIsOver(false);
-        void drop(event.dataTransfer?.files[0]);
+        void droppedFile(event.dataTransfer).then(drop, refuse);
       }}
     >
       <aside class="side" aria-label={words.results}>

@@ -6,6 +6,8 @@ import time
 from pathlib import Path
 from typing import Any
 
+import pytest
+import xarray as xr
 from tests.studio import chromium
 from tests.studio.conftest import BLINDS
 
@@ -124,3 +126,37 @@ def test_the_browser_keeps_a_few_files_for_a_while(browser: Any, studio: str, tm
     kept = ["first.csv", "second.csv", "larger.csv", "third.csv"]
     assert drop("third.csv") == [*(f"{number}.csv" for number in reversed(range(20))), *kept]
     context.close()
+
+
+@pytest.mark.filterwarnings("ignore:The data type")
+def test_a_store_that_is_dropped_as_a_folder_opens(browser: Any, studio: str, tmp_path: Path) -> None:
+    cases = xr.Dataset(
+        {"mean_transmittance": ("case", [0.5, 0.7])},
+        {"key": ("case", ["a", "b"]), "status": ("case", ["done", "done"]), "panel.spacing_mm": ("case", [3.0, 4.0])},
+        {"study": "Two cases"},
+    )
+    cases.to_zarr(tmp_path / "results.zarr", zarr_format=3, consolidated=False)
+    context = browser.new_context(viewport=chromium.SIZE)
+    tab = context.new_page()
+    wrong = chromium.watched(tab, studio)
+    context.set_default_timeout(LONG_MS)
+    mouse = context.new_cdp_session(tab)
+
+    def drop(folder: Path) -> None:
+        for kind in ("dragEnter", "dragOver", "drop"):
+            data = {"items": [], "files": [str(folder)], "dragOperationsMask": 1}
+            mouse.send("Input.dispatchDragEvent", {"type": kind, "x": 700, "y": 400, "data": data})
+
+    # on the view that opens it, and on another
+    for view in ("year", "bsdf"):
+        tab.goto("about:blank")
+        tab.goto(f"{studio}#view=%22{view}%22")
+        tab.locator("main fieldset, main .dropPlace").first.wait_for()
+        drop(tmp_path / "results.zarr")
+        tab.get_by_role("heading", name="Two cases").wait_for()
+        assert tab.locator("[data-row]").count() == 2
+    (tmp_path / "empty").mkdir()
+    drop(tmp_path / "empty")
+    tab.locator(".fault").filter(has_text="must hold one zarr store").first.wait_for()
+    context.close()
+    assert not wrong

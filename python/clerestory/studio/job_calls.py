@@ -72,8 +72,9 @@ async def every(request: Request) -> Response:
             fit("kind", one, word(*KINDS))
     except MisshapenError as error:
         return refused(422, str(error), "kind")
-    found = request.app.state.jobs.every()
-    return answer({"jobs": [_listed(one) for one in reversed(found) if not kinds or one.kind in kinds]})
+    # each that was asked for by a request
+    found = [one for one in reversed(request.app.state.jobs.every()) if one.asked]
+    return answer({"jobs": [_listed(one) for one in found if not kinds or one.kind in kinds]})
 
 
 def _listed(job: Job) -> dict[str, Any]:

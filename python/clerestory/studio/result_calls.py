@@ -96,7 +96,7 @@ ROUTES = [
         "/api/result",
         dropped,
         upload="application/octet-stream",
-        query={"name": Field(TEXT, "Name of the file, which ends in .nc, .csv or .json", "file")},
+        query={"name": Field(TEXT, "Name of the file, which ends in .nc, .csv, .json or .zip", "file")},
         gives=TOLD,
     ),
     call(

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 MOST_BYTES, MOST_VARIABLES = 768 * 2**20, 600
 #: Memory of the process, where the system can limit it.
 MOST_MEMORY = 3 * 2**30
+#: Most files of an archive.
+MOST_ENTRIES = 10_000
 #: Longest table and longest comment before it.
 MOST_ROWS, MOST_COMMENTS = 100_000, 200
 
@@ -68,9 +70,12 @@ def _read(path: Path, heads: bool) -> tuple[dict[str, Any], list[Any]]:
     if path.is_dir():
         if not (path / "zarr.json").is_file():
             raise RefusedError("this folder is no zarr store")
-        with xr.open_zarr(path, consolidated=False, chunks=None) as found:
+        # version 3 alone: a codec of version 2 unpickles what a file holds
+        with xr.open_zarr(path, consolidated=False, chunks=None, zarr_format=3) as found:
             return _told(found, heads)
     ending = path.suffix.lower()
+    if ending == ".zip":
+        return _zipped(path, heads)
     if ending == ".csv":
         return _told(_table(path, heads), heads)
     if ending == ".nc":
@@ -81,6 +86,41 @@ def _read(path: Path, heads: bool) -> tuple[dict[str, Any], list[Any]]:
         with xr.open_dataset(path, engine="netcdf4") as found:
             return _told(found, heads)
     raise RefusedError(f"files ending in {ending[:12] or 'nothing'} are none of a study's results")
+
+
+def _zipped(path: Path, heads: bool) -> tuple[dict[str, Any], list[Any]]:
+    """A zarr store in a ZIP archive, which is read from where it lies: nothing is unpacked, whatever its names are."""
+    import zipfile
+
+    import xarray as xr
+    from zarr.storage import ZipStore
+
+    try:
+        with zipfile.ZipFile(path) as archive:
+            entries = archive.infolist()
+    except zipfile.BadZipFile:
+        raise RefusedError("it is no ZIP archive, or not the whole of one") from None
+    if outside := [one.filename for one in entries if _leads_elsewhere(one.filename)]:
+        raise RefusedError(f"its files must lie within it, got {outside[0][:80]!r}")
+    if len(entries) > MOST_ENTRIES:
+        raise RefusedError(f"it holds {len(entries)} files, {MOST_ENTRIES} are most")
+    size = sum(one.file_size for one in entries)
+    if size > MOST_BYTES:
+        raise RefusedError(f"it unpacks to {size / 2**20:.0f} MiB, {MOST_BYTES / 2**20:.0f} are most")
+    roots = [one.filename.removesuffix("zarr.json") for one in entries if one.filename.split("/")[-1] == "zarr.json"]
+    depth = min((one.count("/") for one in roots), default=0)
+    stores = {one for one in roots if one.count("/") == depth}
+    if len(stores) != 1:
+        raise RefusedError(f"it must hold one zarr store (version 3), such as results.zarr, it holds {len(stores)}")
+    store = ZipStore(path, mode="r")
+    with xr.open_zarr(
+        store, group=stores.pop().strip("/") or None, consolidated=False, chunks=None, zarr_format=3
+    ) as found:
+        return _told(found, heads)
+
+
+def _leads_elsewhere(name: str) -> bool:
+    return "\\" in name or name.startswith("/") or not {".", ".."}.isdisjoint(name.split("/"))
 
 
 def _told(found: xr.Dataset, heads: bool) -> tuple[dict[str, Any], list[Any]]:

@@ -40,10 +40,10 @@ def open_content(shelf: ResultShelf, reader: Reader, content: bytes, name: str) 
     ending = Path(shown).suffix.lower()
     if ending == ".json":
         return shelf.put(key, _of_summary_alone(content, shown))
-    if ending not in (".nc", ".csv"):
+    if ending not in (".nc", ".csv", ".zip"):
         raise ClerestoryError(
-            f"{shown} must be a NetCDF, CSV or JSON file of a result; a results.zarr, which is a folder, opens from "
-            "the studio's own folder"
+            f"{shown} must be a NetCDF, CSV or JSON file of a result, or a results.zarr: the folder, or a ZIP archive "
+            "of it"
         )
     with tempfile.TemporaryDirectory(prefix="clerestory-") as place:
         path = Path(place) / f"dropped{ending}"

@@ -2,7 +2,7 @@
 
 export const year = {
   drop: "Drop a result here, or choose a file",
-  dropKinds: "year.nc, …-illuminance.nc, results.csv, history.csv, angular.nc",
+  dropKinds: "year.nc, …-illuminance.nc, results.csv, results.zarr, history.csv, angular.nc",
   results: "Results in the folder",
   noResults: "There is no result in the folder yet. Run a year below, or on the command line.",
   looking: "Looking through the folder …",
