@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.studio.following import ended, started, works
+from tests.studio.following import ended, started
 
 from clerestory import panel_from_dict
 from clerestory.studio.job_calls import KINDS
 from clerestory.studio.job_shapes import job_shape
+from clerestory.studio.panel_walk import ENOUGH
 from clerestory.studio.shapes import MisshapenError, Shape, fit
 
 IDEAL = {"kind": "laser-cut", "spacing_mm": 6.0, "thickness_mm": 5.0}
@@ -104,13 +105,13 @@ def test_a_fault_in_a_job_or_in_what_becomes_of_it_is_told_and_ends_no_worker(cl
 
 def test_rays_that_refine_end_where_their_errors_are_small(client: Any) -> None:
     rough = IDEAL | {"cut_slope_deg": 3.0}
-    key = started(client, kind="walk", panel=rough, elevation_deg=40.0)
-    first, second = (works(client, key)["partial"] for _ in range(2))
-    assert first["rays"] <= second["rays"]
-    assert sum(first["shares"][name] for name in ("transmittance", "reflectance", "absorptance", "residual")) == (
-        pytest.approx(1.0)
-    )
-    client.delete(f"/api/jobs/{key}")
+    events = ended(client, started(client, kind="walk", panel=rough, elevation_deg=40.0))
+    found = [event["partial"] for event in events if event["partial"]] + [events[-1]["result"]]
+    rays = [one["rays"] for one in found]
+    assert rays == sorted(rays)
+    assert max(found[-1]["standard_errors"].values()) <= ENOUGH
+    whole = sum(found[-1]["shares"][name] for name in ("transmittance", "reflectance", "absorptance", "residual"))
+    assert whole == pytest.approx(1.0)
 
 
 def test_every_kind_says_what_it_answers_down_to_the_numbers() -> None:

@@ -18,7 +18,6 @@ IDEAL = {"kind": "laser-cut", "spacing_mm": 6.0, "thickness_mm": 5.0}
 #: Takes a minute at least.
 CURVED = IDEAL | {"spacing_mm": [3.1, 4.7, 5.3], "thickness_mm": 9.0, "cut_width_mm": 0.31, "cut_tilt_deg": 7.3}
 PRISM = {"kind": "prismatic", "pitch_mm": 2.0, "lower_deg": 45.0, "upper_deg": 80.0, "base_mm": 3.0}
-ROUGH = IDEAL | {"cut_slope_deg": 3.0}
 
 
 @pytest.fixture(scope="module")
@@ -34,7 +33,6 @@ def years(tmp_path_factory: pytest.TempPathFactory) -> Iterator[TestClient]:
     "asked",
     [
         {"kind": "angular", "panel": CURVED},
-        {"kind": "walk", "panel": ROUGH, "elevation_deg": 30.0},
         {"kind": "klems", "panel": PRISM},
     ],
     ids=lambda asked: asked["kind"],

@@ -13,6 +13,8 @@ from clerestory.studio.app import make_app
 from clerestory.studio.settings import Settings
 
 IDEAL = {"kind": "laser-cut", "spacing_mm": 6.0, "thickness_mm": 5.0}
+#: Its BSDF takes minutes.
+PRISM = {"kind": "prismatic", "pitch_mm": 2.0, "lower_deg": 45.0, "upper_deg": 80.0, "base_mm": 3.0}
 CURVED = IDEAL | {"cut_width_mm": 0.31, "cut_tilt_deg": 7.3}
 
 
@@ -30,30 +32,27 @@ def listed(client: Any, **query: str) -> list[dict[str, Any]]:
 def test_jobs_are_listed_with_what_they_were_asked_and_how_far_they_are(client: Any) -> None:
     done = started(client, kind="angular", panel=IDEAL, azimuth_deg=3.0)
     ended(client, done)
-    busy = started(client, kind="walk", panel=IDEAL | {"cut_slope_deg": 2.0}, elevation_deg=20.0)
+    busy = started(client, kind="klems", panel=PRISM)
     works(client, busy)
     waits = started(client, kind="angular", panel=CURVED)
     found = listed(client)
     assert [one["job"] for one in found[:3]] == [waits, busy, done]
     assert (found[1]["state"], found[1]["followers"]) == ("running", 0)
-    assert found[1]["partial"]["rays"] >= 4000
+    assert found[1]["partial"]["stage"] in ("rays", "fine")
     # what was left out has its default
     assert found[1]["asked"] == {
-        "kind": "walk",
-        "panel": IDEAL | {"cut_slope_deg": 2.0},
-        "elevation_deg": 20.0,
-        "azimuth_deg": 0.0,
-        "side": "front",
+        "kind": "klems",
+        "panel": PRISM,
+        "basis": "klems_full",
+        "accuracy": "fine",
     }
     assert found[2]["state"] == "done"
     assert len(found[2]["result"]["elevation_deg"]) == 89
-    assert {one["kind"] for one in listed(client, kind="walk")} == {"walk"}
-    assert listed(client, kind="room_sun") == [] or {one["kind"] for one in listed(client, kind="room_sun")} == {
-        "room_sun"
-    }
+    assert {one["kind"] for one in listed(client, kind="klems")} == {"klems"}
+    assert waits not in {one["job"] for one in listed(client, kind="klems")}
     with client.stream("GET", f"/api/jobs/{busy}/events") as stream:
         next(stream.iter_lines())
-        assert listed(client, kind="walk")[0]["followers"] == 1
+        assert listed(client, kind="klems")[0]["followers"] == 1
     for key in (busy, waits):
         client.delete(f"/api/jobs/{key}")
     wrong = client.get("/api/jobs", params={"kind": "mining"})
