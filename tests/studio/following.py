@@ -44,7 +44,7 @@ def is_as_declared(told: dict[str, Any]) -> dict[str, Any]:
 
 def works(client: Any, key: str) -> dict[str, Any]:
     """What is told of a job as soon as there is something of it."""
-    late = time.monotonic() + 120.0
+    late = time.monotonic() + 300.0
     while (told := looked(client, key))["partial"] is None:
         assert told["state"] in ("waiting", "running"), told
         assert time.monotonic() < late, told
@@ -62,11 +62,11 @@ def is_left_at_once(client: Any, key: str) -> None:
     before = cpu_s(process.pid)
     assert before is not None
     assert client.delete(f"/api/jobs/{key}").json()["state"] == "cancelled"
-    late, last = time.monotonic() + 20.0, before
+    late, last = time.monotonic() + 60.0, before
     while process.is_busy and time.monotonic() < late:
         last = cpu_s(process.pid) or last
         time.sleep(0.01)
-    assert not process.is_busy, "it went on for 20 s"
+    assert not process.is_busy, "it went on for a minute"
     assert last - before <= 1.0 * (os.cpu_count() or 1), "it worked on for more than a second"
     # what says that it has stopped works no more
     quiet = cpu_s(process.pid)
@@ -74,7 +74,7 @@ def is_left_at_once(client: Any, key: str) -> None:
     assert quiet is None or (cpu_s(process.pid) or quiet) - quiet < 0.1
     assert looked(client, key)["state"] == "cancelled"
     panel = {"kind": "laser-cut", "spacing_mm": 6.0, "thickness_mm": 5.0}
-    key, late = started(client, kind="dispersion", panel=panel, elevation_deg=30.0), time.monotonic() + 60.0
+    key, late = started(client, kind="dispersion", panel=panel, elevation_deg=30.0), time.monotonic() + 300.0
     while (told := looked(client, key))["state"] != "done":
         assert told["state"] in ("waiting", "running"), told
         assert time.monotonic() < late, told

@@ -1,6 +1,5 @@
 """Long jobs: what they find, how they are followed, how soon they end."""
 
-import time
 from collections.abc import Iterator
 from typing import Any
 

@@ -67,9 +67,7 @@ def test_a_job_of_a_page_that_was_closed_ends_alone(client: Any, monkeypatch: py
     key = started(client, kind="angular", panel=CURVED)
     with client.stream("GET", f"/api/jobs/{key}/events") as stream:
         next(stream.iter_lines())
-    late = time.monotonic() + 20.0
-    while looked(client, key)["state"] not in ("cancelled", "done"):
-        assert time.monotonic() < late
+    while looked(client, key)["state"] in ("waiting", "running"):
         time.sleep(0.05)
     assert looked(client, key)["state"] == "cancelled"
     # a year's pieces are worth more than its page

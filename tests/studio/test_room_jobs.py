@@ -1,7 +1,6 @@
 """The long jobs of a room: how soon, how good, and how they end."""
 
 import copy
-import time
 from typing import Any
 
 import numpy as np
