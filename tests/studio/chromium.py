@@ -68,9 +68,9 @@ _IS_STILL = """() => new Promise((done) => {
 })"""
 
 
-def started(folder: Path, port: int = 0) -> tuple[subprocess.Popen[str], str]:
-    """A studio in a process of its own, and its address."""
-    command = [sys.executable, "-c", "from clerestory.cli import app; app()", "studio", "--no-open"]
+def started(folder: Path, port: int = 0, before: str = "pass") -> tuple[subprocess.Popen[str], str]:
+    """A studio in a process of its own, and its address; ``before`` is done there first."""
+    command = [sys.executable, "-c", f"{before}; from clerestory.cli import app; app()", "studio", "--no-open"]
     process = subprocess.Popen(
         [*command, "--port", str(port), "--folder", str(folder)], stdout=subprocess.PIPE, text=True
     )
@@ -90,9 +90,9 @@ def ended(process: subprocess.Popen[str]) -> None:
 
 
 @contextmanager
-def studio_of(folder: Path) -> Iterator[str]:
+def studio_of(folder: Path, before: str = "pass") -> Iterator[str]:
     """The address of a studio that is there meanwhile."""
-    process, url = started(folder)
+    process, url = started(folder, before=before)
     try:
         yield url
     finally:

@@ -15,8 +15,6 @@ from clerestory import panel_from_dict
 from clerestory.saving import save
 
 pytestmark = chromium.NEEDED
-#: Patience with a busy machine [ms].
-LONG_MS = 90_000
 
 
 def test_what_was_dropped_is_shown_again_by_a_studio_that_was_killed(browser: Any, tmp_path: Path) -> None:
@@ -26,11 +24,11 @@ def test_what_was_dropped_is_shown_again_by_a_studio_that_was_killed(browser: An
     shutil.copy(BLINDS, dropped)
     panel = panel_from_dict({"kind": "laser-cut", "spacing_mm": 4.0, "thickness_mm": 6.0})
     result = save(panel.angular(elevation_deg=[0, 20, 40, 60]), tmp_path / "angular.nc")
-    process, url = chromium.started(empty)
+    process, url = chromium.started(empty, chromium.port_to_keep())
     context = browser.new_context(viewport=chromium.SIZE)
     tab, other = context.new_page(), context.new_page()
     wrong = [chromium.watched(tab, url), chromium.watched(other, url)]
-    context.set_default_timeout(LONG_MS)
+    context.set_default_timeout(1000.0 * chromium.PATIENCE_S)
     tab.goto(f"{url}#view=%22bsdf%22")
     tab.locator('.bsdfView input[type="file"]').first.set_input_files(dropped)
     tab.locator(".disc.picks").wait_for()
@@ -38,11 +36,11 @@ def test_what_was_dropped_is_shown_again_by_a_studio_that_was_killed(browser: An
     before = tab.evaluate(value)
     other.goto(f"{url}#view=%22year%22")
     other.locator('.yearView input[type="file"]').set_input_files(result)
-    other.get_by_role("heading", name="Panel, laser-cut").wait_for(timeout=LONG_MS)
+    other.get_by_role("heading", name="Panel, laser-cut").wait_for()
     rows = other.locator("[data-row]").count()
 
     process.kill()
-    process.wait(60)
+    process.wait(chromium.PATIENCE_S)
     process, again = chromium.started(empty, int(url.rstrip("/").rsplit(":", 1)[1]))
     assert again == url
     # pages that are loaded again
@@ -50,30 +48,29 @@ def test_what_was_dropped_is_shown_again_by_a_studio_that_was_killed(browser: An
     tab.locator(".disc.picks").wait_for()
     assert tab.evaluate(value) == before
     other.reload()
-    other.get_by_role("heading", name="Panel, laser-cut").wait_for(timeout=LONG_MS)
+    other.get_by_role("heading", name="Panel, laser-cut").wait_for()
     assert other.locator("[data-row]").count() == rows > 0
 
     process.kill()
-    process.wait(60)
+    process.wait(chromium.PATIENCE_S)
     process, again = chromium.started(empty, int(url.rstrip("/").rsplit(":", 1)[1]))
     # one that stays and asks what the studio does not know any more
     tab.bring_to_front()
     tab.locator("#elevation").fill("20")
     moved = f"before => ({value})() && ({value})() !== before"
-    tab.wait_for_function(moved, arg=before, timeout=LONG_MS)
+    tab.wait_for_function(moved, arg=before)
     assert not os.listdir(empty)
     # a browser that it was not dropped on has nothing to give
     stranger = browser.new_page(viewport=chromium.SIZE)
     link = tab.evaluate("() => location.href")
     process.kill()
-    process.wait(60)
+    process.wait(chromium.PATIENCE_S)
     process, again = chromium.started(empty, int(url.rstrip("/").rsplit(":", 1)[1]))
     stranger.goto(link)
-    stranger.get_by_text("open the file again").first.wait_for(timeout=LONG_MS)
+    stranger.get_by_text("open the file again").first.wait_for()
     stranger.close()
     context.close()
-    process.terminate()
-    process.wait(60)
+    chromium.ended(process)
     assert wrong == [[], []]
 
 
@@ -102,13 +99,13 @@ def test_the_browser_keeps_a_few_files_for_a_while(browser: Any, studio: str, tm
     text = save(panel.angular(elevation_deg=[0, 20]), tmp_path / "angular.csv").read_text()
     context = browser.new_context(viewport=chromium.SIZE)
     tab = context.new_page()
-    tab.set_default_timeout(LONG_MS)
+    tab.set_default_timeout(1000.0 * chromium.PATIENCE_S)
     tab.goto(f"{studio}#view=%22year%22")
 
     def drop(name: str) -> list[str]:
         (tmp_path / name).write_text(f"# called: {name}\n{text}")
         tab.locator('.yearView input[type="file"]').set_input_files(tmp_path / name)
-        late = time.monotonic() + LONG_MS / 1000
+        late = time.monotonic() + chromium.PATIENCE_S
         while (names := tab.evaluate(KEPT))[-1:] != [name]:
             assert time.monotonic() < late, names
             time.sleep(0.05)
@@ -139,7 +136,7 @@ def test_a_store_that_is_dropped_as_a_folder_opens(browser: Any, studio: str, tm
     context = browser.new_context(viewport=chromium.SIZE)
     tab = context.new_page()
     wrong = chromium.watched(tab, studio)
-    context.set_default_timeout(LONG_MS)
+    context.set_default_timeout(1000.0 * chromium.PATIENCE_S)
     mouse = context.new_cdp_session(tab)
 
     def drop(folder: Path) -> None:
