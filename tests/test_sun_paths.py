@@ -197,6 +197,27 @@ def test_the_light_of_a_beam_lands_whole(name):
             assert flux == pytest.approx(most, rel=1e-6)
 
 
+@pytest.mark.parametrize("name", ROOMS)
+def test_a_patch_lies_where_its_corners_on_the_window_are_thrown(name):
+    one = ROOMS[name]
+    found = sun_paths(one, altitude_deg=47.0, azimuth_deg=190.0, least_power=1e-4)
+    rings = {window.name: np.array(window.outline_m) for window in one.windows}
+    seen = 0
+    for row, beam in enumerate(found["patch_beam"].values):
+        ring = rings.get(str(found["beam_source"].values[beam]))
+        if ring is None:
+            continue
+        source, count = found["patch_source_m"].values[row], len(corners(found, row))
+        normal = np.cross(ring[1] - ring[0], ring[2] - ring[1])
+        np.testing.assert_allclose((source[:count] - ring[0]) @ normal, 0.0, atol=1e-6)
+        way, direction = corners(found, row) - source[:count], found["beam_direction"].values[beam]
+        np.testing.assert_allclose(np.cross(way, direction), 0.0, atol=1e-6)
+        # light may graze the sill or the jamb
+        assert (way @ direction > -1e-9).all()
+        seen += 1
+    assert seen
+
+
 def _cos(ring, towards):
     normal = np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
     return float(normal @ towards / np.linalg.norm(normal))

@@ -26,6 +26,7 @@ from clerestory.studio.room_asked import asked_room
 from clerestory.studio.room_kinds import room_kinds, start_tables
 from clerestory.studio.room_planes import plane_sensors
 from clerestory.studio.room_work import one_pass
+from clerestory.sun import direction_of
 
 ROOM = {"tables": start_tables()}
 WHEN = {"day_of_year": 172, "hour": 11.0}
@@ -134,7 +135,10 @@ def test_the_sun_is_that_of_the_api(rooms: Any, asked: Any) -> None:
     assert [one["label"] for one in year["seasons"]] == ["21 June", "21 March", "21 December"]
     loop = next(one for one in year["analemmas"] if one["hour"] == 12)
     assert {point["day_of_year"] for point in loop["points"]} == set(range(1, 366, 7))
-    assert all(len(point["direction"]) == 3 for point in loop["points"])
+    assert all(point["hour"] == one["hour"] for one in year["analemmas"] for point in one["points"])
+    for point in (*loop["points"], *year["seasons"][0]["points"], *told["day"]):
+        towards = direction_of(point["altitude_deg"], point["azimuth_deg"])
+        np.testing.assert_allclose(point["direction"], towards, atol=2e-5)
 
 
 def test_a_sun_that_never_sets_and_clocks_that_change(rooms: Any) -> None:
@@ -209,10 +213,27 @@ def test_light_is_that_of_the_api_pooled(rooms: Any, asked: Any, key: str) -> No
     np.testing.assert_allclose(told["total_lx"], total, rtol=1e-12)
     assert told["mean_lx"] == pytest.approx(total.mean())
     assert told["uniformity"] == pytest.approx(total.min() / total.mean())
+    # each sensor's own errors, of the sun as its rounds scatter
+    parts = ("direct", "redirected", "interreflected")
+    rounds = np.sqrt(sum(one[f"{part}_standard_error"].values ** 2 for one in suns for part in parts)) / 2.0
+    np.testing.assert_allclose(told["sun_standard_error_lx"], rounds * direct, rtol=1e-9)
+    together = np.hypot(told["sky_standard_error_lx"], told["sun_standard_error_lx"])
+    np.testing.assert_allclose(told["standard_error_lx"], together, rtol=1e-12)
+    assert np.ptp(together) > 0.01 * together.max(), "or another sensor's would do as well"
     # sensors err together: the mean is worse than if they did not
     assert told["mean_standard_error_lx"] > np.linalg.norm(told["standard_error_lx"]) / len(total)
+    lit = np.stack([sum(one[part].values for part in parts) for one in suns]) * direct
+    even, darkest = np.full(len(total), 1.0 / len(total)), np.arange(len(total)) == total.argmin()
+    # of least over mean, by the quotient's rule
+    slope = darkest / total.mean() - even * total.min() / total.mean() ** 2
+    for name, weights in (("mean_standard_error_lx", even), ("uniformity_standard_error", slope)):
+        by_sky, by_sun = ((one @ weights).std(ddof=1) / np.sqrt(len(one)) for one in (each, lit))
+        assert told[name] == pytest.approx(np.hypot(by_sky, by_sun), rel=1e-2), name
     factor = np.mean([daylight_factor(one).total.values for one in passes], axis=0)
     np.testing.assert_allclose(told["daylight_factor_percent"], factor, rtol=1e-9)
+    scale = factor / np.mean([one.sky_illuminance.values for one in passes], axis=0)
+    error = np.sqrt(sum(one.sky_illuminance_standard_error.values**2 for one in passes)) / 3.0
+    np.testing.assert_allclose(told["daylight_factor_standard_error_percent"], scale * error, rtol=1e-6)
     assert float(uniformity(daylight_factor(passes[0]).total)) > 0.0
 
 
