@@ -20,7 +20,7 @@ def ask(xml: Path, queries: list[list[float]], hemispheres: list[list[float]]) -
     """
     question = json.dumps({"xml": str(xml), "queries": queries, "hemispheres": hemispheres})
     answer = subprocess.run(
-        [sys.executable, __file__], input=question, capture_output=True, text=True, timeout=60, check=False
+        [sys.executable, __file__], input=question, capture_output=True, text=True, timeout=600, check=False
     )
     assert answer.returncode == 0, f"Radiance's library ended with {answer.returncode}: {answer.stderr[-500:]}"
     found = json.loads(answer.stdout)

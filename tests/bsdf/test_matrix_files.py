@@ -26,7 +26,7 @@ def rmtxop(*arguments: str) -> bytes:
     program = Path(pyradiance.__file__).parent / "bin" / "rmtxop"
     if not program.exists():
         program = program.with_suffix(".exe")
-    return subprocess.run([program, *arguments], capture_output=True, check=True, timeout=60).stdout
+    return subprocess.run([program, *arguments], capture_output=True, check=True, timeout=600).stdout
 
 
 @pytest.mark.parametrize(

@@ -71,7 +71,7 @@ def radiance_program(name: str, *arguments: object, **options: Any) -> Any:
         "RAYPATH": os.pathsep.join([".", str(home / "lib")]),
     }
     program = next(home.glob(f"bin/{name}*"))
-    settings: dict[str, Any] = {"text": True, "check": True, "timeout": 120, "env": os.environ | places, **options}
+    settings: dict[str, Any] = {"text": True, "check": True, "timeout": 600, "env": os.environ | places, **options}
     return subprocess.run([program, *map(str, arguments)], capture_output=True, **settings).stdout
 
 

@@ -64,7 +64,9 @@ def browser() -> Iterator[Any]:
     """Debian's Chromium. Of a module alone: while it is there, no test can run an event loop of its own."""
     sync_api = pytest.importorskip("playwright.sync_api")
     with sync_api.sync_playwright() as playwright:
-        one = playwright.chromium.launch(executable_path=chromium.PATH, args=chromium.FLAGS)
+        one = playwright.chromium.launch(
+            executable_path=chromium.PATH, args=chromium.FLAGS, timeout=1000.0 * chromium.PATIENCE_S
+        )
         yield one
         one.close()
 

@@ -32,7 +32,7 @@ PANELS: list[dict[str, Any]] = [
     {"kind": "pane", "thickness_mm": 4.0, "medium": "soda_lime_clear"},
 ]
 
-APP = make_app(Settings(folder=FOLDER, host="testserver", token=TOKEN, workers=1, most_jobs=1000, most_seconds=60.0))
+APP = make_app(Settings(folder=FOLDER, host="testserver", token=TOKEN, workers=1, most_jobs=1000, most_seconds=240.0))
 CONFIG = schemathesis.Config.from_dict(
     {
         "auth": {"openapi": {"bearer": {"bearer": TOKEN}}},

@@ -13,6 +13,9 @@ sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not 
 
 BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
+#: After which what is waited for will not come, on however busy a machine [ms].
+PATIENCE_MS = 240_000.0
+
 pytestmark = pytest.mark.skipif(BROWSER is None, reason="no Chromium on this machine (Debian: apt install chromium)")
 
 
@@ -28,20 +31,26 @@ def folder(tmp_path_factory):
 def browser():
     with sync_api.sync_playwright() as playwright:
         # without a sandbox it runs as root too, as in a container
-        running = playwright.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
+        running = playwright.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"], timeout=PATIENCE_MS)
         yield running
         running.close()
 
 
+def opened(browser, folder, **how):
+    """The report in a tab, with what it asked for and what it complained of."""
+    page = browser.new_page(**how)
+    page.set_default_timeout(PATIENCE_MS)
+    page.asked, page.said = [], []
+    page.on("request", lambda request: page.asked.append(request.url))
+    page.on("console", lambda message: page.said.append(message.text))
+    page.on("pageerror", lambda error: page.said.append(str(error)))
+    page.goto((folder / "report.html").as_uri(), wait_until="load")
+    return page
+
+
 @pytest.fixture
 def page(browser, folder):
-    asked, said = [], []
-    page = browser.new_page()
-    page.on("request", lambda request: asked.append(request.url))
-    page.on("console", lambda message: said.append(message.text))
-    page.on("pageerror", lambda error: said.append(str(error)))
-    page.goto((folder / "report.html").as_uri(), wait_until="load")
-    page.asked, page.said = asked, said
+    page = opened(browser, folder)
     yield page
     page.close()
 
@@ -92,8 +101,7 @@ def test_headings_captions_and_language(page):
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_ink_stands_out_from_the_page(browser, folder, scheme):
-    page = browser.new_page(color_scheme=scheme)
-    page.goto((folder / "report.html").as_uri())
+    page = opened(browser, folder, color_scheme=scheme)
     colours = page.evaluate("(s => [s.color, s.backgroundColor])(getComputedStyle(document.body))")
     page.close()
 
@@ -109,8 +117,7 @@ def test_ink_stands_out_from_the_page(browser, folder, scheme):
 
 
 def test_a_narrow_screen_needs_no_sideways_scrolling(browser, folder):
-    page = browser.new_page(viewport={"width": 390, "height": 800})
-    page.goto((folder / "report.html").as_uri())
+    page = opened(browser, folder, viewport={"width": 390, "height": 800})
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
     page.close()
 

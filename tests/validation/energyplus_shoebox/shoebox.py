@@ -124,7 +124,7 @@ def run(window: dict[str, Any], construction: str, folder: Path) -> dict[str, li
     path = folder / "room.epJSON"
     path.write_text(json.dumps(model(window, construction)))
     answer = subprocess.run(
-        [sys.executable, __file__, str(path), str(folder)], capture_output=True, text=True, check=False, timeout=300
+        [sys.executable, __file__, str(path), str(folder)], capture_output=True, text=True, check=False, timeout=600
     )
     if answer.returncode != 0:
         errors = folder / "eplusout.err"

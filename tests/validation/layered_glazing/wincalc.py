@@ -26,7 +26,7 @@ def wincalc(request: dict[str, Any]) -> dict[str, Any]:
         ``source``: wavelengths [nm] and power of the standard's sunlight.
     """
     answer = subprocess.run(
-        [sys.executable, __file__], input=json.dumps(request), capture_output=True, text=True, check=False, timeout=300
+        [sys.executable, __file__], input=json.dumps(request), capture_output=True, text=True, check=False, timeout=600
     )
     if answer.returncode != 0:
         raise RuntimeError(f"pywincalc ended with {answer.returncode}: {answer.stderr[-2000:]}")
