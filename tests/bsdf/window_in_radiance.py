@@ -46,6 +46,8 @@ POINTS_M = CENTRE_M + REACH_M * _ways() @ WORLD
 NORMALS = -_ways() @ WORLD
 """Sensors about the window that face it, from low to high: where light keeps its x, then the mirror image."""
 SUN_DEG = 0.533
+SAME = "-u-"
+"""Radiance draws by the clock, other numbers each second, unless it is told not to."""
 
 
 def sun() -> Floats:
@@ -105,16 +107,13 @@ def by_rtrace(bsdf: Bsdf, travel: Floats, *, is_upside_down: bool, is_inside_out
             " ".join(f"{v:.9g}" for v in (*point, *normal)) + "\n"
             for point, normal in zip(POINTS_M, NORMALS, strict=True)
         )
-        settings = "-ab 1 -ad 32768 -as 0 -aa 0 -lw 1e-7 -u+ -dj 0".split()  # noqa: SIM905
+        settings = f"-ab 1 -ad 32768 -as 0 -aa 0 -lw 1e-7 -dj 0 {SAME}".split()
         answer = pyradiance.rtrace(rays.encode(), octree, header=False, irradiance=True, params=settings)
     return np.array(answer.split(), dtype=float).reshape(-1, 3)[:, 0]
 
 
 def view_by_rfluxmtx(samples: int = 200_000) -> Floats:
-    """What Radiance's own view matrix makes of the window, shape (sensor, patch): another each second, by its clock.
-
-    With 200 000 rays a sensor a patch scatters by half a per cent of the largest, with 20 000 by four.
-    """
+    """What Radiance's own view matrix makes of the window, shape (sensor, patch)."""
     import pyradiance
 
     with tempfile.TemporaryDirectory() as folder:
@@ -125,7 +124,7 @@ def view_by_rfluxmtx(samples: int = 200_000) -> Floats:
             " ".join(f"{v:.9g}" for v in (*point, *normal)) + "\n"
             for point, normal in zip(POINTS_M, NORMALS, strict=True)
         )
-        settings = f"-I+ -h- -faa -ab 1 -ad {samples} -lw 1e-7 -n 1".split()
+        settings = f"-I+ -h- -faa -ab 1 -ad {samples} -lw 1e-7 -n 1 {SAME}".split()
         answer = pyradiance.rfluxmtx(str(window), rays=rays.encode(), params=settings, octree=str(octree))
     return _matrix(answer, len(POINTS_M))
 
@@ -142,7 +141,7 @@ def daylight_by_rfluxmtx(samples: int = 2_000) -> Floats:
             "#@rfluxmtx h=r1 u=Y\nvoid glow sky_glow 0 0 4 1 1 1 0\nsky_glow source sky 0 0 4 0 0 1 180\n"
         )
         octree.write_bytes(_nothing(Path(folder)))
-        settings = f"-h- -faa -c {samples} -ab 1 -lw 1e-7 -n 1".split()
+        settings = f"-h- -faa -c {samples} -ab 1 -lw 1e-7 -n 1 {SAME}".split()
         answer = pyradiance.rfluxmtx(str(sky), surface=str(window), params=settings, octree=str(octree))
     return _matrix(answer, len(BASIS))
 

@@ -55,7 +55,8 @@ def radiance_coefficients(
             " ".join(f"{value:.9g}" for value in (*point, *normal)) + "\n"
             for point, normal in zip(sensors.points_m, sensors.normals, strict=True)
         )
-        settings = f"-I+ -h- -faa -u+ -ab 12 -ad {divisions} -lr -14 -lw {0.2 / divisions} -n 1".split()
+        # with -u+ it draws by the clock, other numbers each second
+        settings = f"-I+ -h- -faa -u- -ab 12 -ad {divisions} -lr -14 -lw {0.2 / divisions} -n 1".split()
         # other pixels of the same random sequence: the seed shifts where it begins
         padding = rays.splitlines(keepends=True)[0] * seed
         answer = pyradiance.rfluxmtx(str(sky), rays=(padding + rays).encode(), params=settings, octree=str(octree))
