@@ -10,14 +10,18 @@ from tests.studio import chromium
 from tests.year.small import YEAR, write_small
 
 pytestmark = chromium.NEEDED
-PRISM = "panel.a.kind=%22prismatic%22&panel.a.pitch_mm=2&panel.a.lower_deg=45&panel.a.upper_deg=80&panel.a.base_mm=3"
+#: A panel whose BSDF takes minutes.
+SLOW = (
+    "panel.a.kind=%22laser-cut%22&panel.a.spacing_mm=[3.1,4.7,5.3]&panel.a.thickness_mm=9"
+    "&panel.a.cut_width_mm=0.31&panel.a.cut_tilt_deg=7.3"
+)
 
 
 @pytest.fixture(scope="module")
 def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """A studio in a folder with a year that takes minutes, and nothing else."""
+    """A studio in a folder with a year that takes hours, and nothing else."""
     folder = tmp_path_factory.mktemp("again").resolve()
-    write_small(folder, YEAR.replace("nodes = 256", "nodes = 16384").replace("rounds = 4", "rounds = 32"))
+    write_small(folder, YEAR.replace("rounds = 4", "rounds = 100000"))
     shutil.copy(folder / "year.toml", folder / "another.toml")
     # a busy machine may take long to load a page again
     with chromium.studio_of(folder, "from clerestory.studio import job_calls; job_calls.ALONE_S = 600.0") as url:
@@ -68,7 +72,7 @@ def test_a_year_that_runs_is_found_by_the_page_that_was_loaded_again(page: Any, 
 
 
 def test_a_bsdf_that_is_computed_is_gone_on_with(page: Any, studio: str) -> None:
-    page.goto(f"{studio}#{PRISM}")
+    page.goto(f"{studio}#{SLOW}")
     figure = page.locator("section.figure", has=page.locator("#a-basis"))
     figure.get_by_role("button", name="Compute").click()
     shown = figure.locator(".progress progress")
@@ -82,7 +86,7 @@ def test_a_bsdf_that_is_computed_is_gone_on_with(page: Any, studio: str) -> None
     assert (now["job"], now["state"]) == (before, "running")
     # its own page alone takes it up: another computes nothing unasked
     other = page.context.browser.new_page()
-    other.goto(f"{studio}#{PRISM}")
+    other.goto(f"{studio}#{SLOW}")
     other.locator(".drawing .solid").first.wait_for()
     other.wait_for_timeout(500)
     assert other.locator("section.figure", has=other.locator("#a-basis")).locator("progress").count() == 0
