@@ -164,11 +164,19 @@ def test_paths_and_patches_are_those_of_the_api(rooms: Any, asked: Any) -> None:
         np.testing.assert_allclose(path["points"], own["position_m"].values[k, :count], atol=6e-5)
         np.testing.assert_allclose(path["segment_power"], own["power"].values[k, 1:count], atol=6e-6)
         assert path["stages"] == own["event"].values[k, :count].tolist()
+        assert path["power"] == pytest.approx(float(own["power"][k, count - 1]), abs=6e-6)
+        assert (path["window"], path["kind"]) == (own["path_window"].values[k], own["path_kind"].values[k])
+    for name in ("source", "window", "kind", "power", "total_reflections"):
+        assert [beam[name] for beam in told["beams"]] == own[f"beam_{name}"].values.tolist(), name
+    np.testing.assert_allclose([beam["direction"] for beam in told["beams"]], own["beam_direction"], atol=1e-6)
     for k, patch in enumerate(told["patches"]):
         corners = own["patch_corner_m"].values[k]
         np.testing.assert_allclose(patch["polygon"], corners[~np.isnan(corners[:, 0])], atol=6e-5)
         assert patch["illuminance_per_normal"] == float(own["patch_strength"][k])
-        assert len(patch["source"]) == len(patch["polygon"])
+        source = own["patch_source_m"].values[k, : len(patch["polygon"])]
+        np.testing.assert_allclose(patch["source"], source, atol=6e-5)
+        of = (patch["beam"], patch["surface"], patch["area_m2"])
+        assert of == tuple(own[f"patch_{name}"].values[k] for name in ("beam", "surface", "area_m2"))
     at = ask(rooms, "paths", room=ROOM, **WHEN)
     sun = ask(rooms, "sun", site=start_tables()["site"], **WHEN)
     assert (at["altitude_deg"], at["direction"]) == (sun["altitude_deg"], sun["direction"])
