@@ -15,9 +15,11 @@ from tests.studio.conftest import TestClient
 from tests.studio.following import looked
 
 from clerestory.illuminance import daylight_factor
+from clerestory.site import Site
 from clerestory.studio.app import make_app
 from clerestory.studio.glazing_words import glazing_words
 from clerestory.studio.settings import Settings
+from clerestory.sun import sun_position
 from clerestory.year.figures import FIGURES
 
 YEAR = "out/year/year.nc"
@@ -139,23 +141,34 @@ def test_a_carpet_is_the_year_by_the_wall_clock(client: TestClient, year: xr.Dat
     carpet = asked(client, "carpet", key=key)
     days = pd.DatetimeIndex(year["local_time"].values)
     assert carpet["days"] == sorted({f"{day:%Y-%m-%d}" for day in days})
-    cells = np.array(carpet["variants"][0]["values"], dtype=float).reshape(carpet["rows"], -1)
+    told = carpet["variants"]
+    assert [one["label"] for one in told] == year["variant"].values.tolist()
+    cells, shut = (
+        np.array([one[name] for one in told], dtype=float).reshape(len(told), carpet["rows"], -1)
+        for name in ("values", "blinds")
+    )
     used = np.array(carpet["in_use"], dtype=float).reshape(carpet["rows"], -1)
     for place, at in enumerate(days):
         row, column = at.hour, carpet["days"].index(f"{at:%Y-%m-%d}")
-        assert cells[row, column] == pytest.approx(float(year["mean_illuminance"][0, place]), rel=1e-3)
+        np.testing.assert_allclose(cells[:, row, column], year["mean_illuminance"][:, place], rtol=1e-3)
+        closed = year["blinds_closed"].isel(time=place).mean("window_group")
+        np.testing.assert_allclose(shut[:, row, column], closed, atol=0.006)
         assert bool(used[row, column]) == bool(year["in_use"][0, place])
     # 25.8° north in March: the sun rises near six of solar time; the clock of 75° W is 21 min ahead of 80.3° W
     rise, fall = carpet["sunrise"][1], carpet["sunset"][1]
     assert 6.0 < rise < 7.0
     assert fall - rise == pytest.approx(12.1, abs=0.1)
     one = asked(client, "carpet", key=key, series="sensor", sensor=7)
-    noon = float(year["illuminance"][0, 7].values[days.hour == 12][0])
-    assert np.array(one["variants"][0]["values"]).reshape(24, -1)[12, 0] == pytest.approx(noon, rel=1e-3)
+    noon = year["illuminance"].values[:, 7, days.hour == 12][:, 0]
+    found = [np.array(cells["values"]).reshape(24, -1)[12, 0] for cells in one["variants"]]
+    assert found == pytest.approx(noon, rel=1e-3)
+    assert len(set(noon)) == 3
     assert "sensor must be" in wrong(client, "carpet", key=key, series="sensor", sensor=10_000)
     months = asked(client, "months", key=key)
-    mean = float(year["mean_illuminance"][0].values[year["in_use"][0].values.astype(bool)].mean())
-    assert months["variants"][0]["in_use"][0] == pytest.approx(mean)
+    for k, mean in enumerate(year["mean_illuminance"].values):
+        in_use = year["in_use"][k].values.astype(bool)
+        assert months["variants"][k]["in_use"] == [pytest.approx(mean[in_use].mean())]
+        assert months["variants"][k]["daylit"] == [pytest.approx(mean[mean > 0.0].mean())]
 
 
 def test_one_hour_is_the_light_of_that_hour(client: TestClient, year: xr.Dataset) -> None:
@@ -164,6 +177,10 @@ def test_one_hour_is_the_light_of_that_hour(client: TestClient, year: xr.Dataset
     plan = asked(client, "hour", key=key, day=day, hour=13.2)
     place = int(np.flatnonzero(pd.DatetimeIndex(year["local_time"].values).hour == 13)[0])
     light = year["illuminance"].values[:, :, place]
+    site = Site(latitude_deg=float(year.attrs["latitude_deg"]), longitude_deg=float(year.attrs["longitude_deg"]))
+    sun = sun_position(site, pd.DatetimeIndex([year["time"].values[place]], tz="UTC")).isel(time=0)
+    assert plan["sun"]["altitude_deg"] == pytest.approx(float(sun.apparent_altitude_deg))
+    assert plan["sun"]["azimuth_deg"] == pytest.approx(float(sun.azimuth_deg))
     for variant in range(3):
         own = np.array(plan["variants"][variant]["values"], dtype=float)
         np.testing.assert_allclose(own, light[variant][plan["sensors"]], rtol=1e-6)
