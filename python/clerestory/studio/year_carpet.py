@@ -51,10 +51,14 @@ def carpet(result: Result, *, series: Any = "mean", sensor: Any = None) -> dict[
     carpets, days, hours = [], None, None
     for place, label in enumerate(labels_of(result)):
         cells, days, hours = by_day_and_hour(lines.isel(variant=place))
-        carpets.append({"label": label, "values": _rounded(cells).ravel(), "blinds": _blinds(result, place)})
+        carpets.append({"label": label, "values": _listed(_rounded(cells))})
     assert days is not None
     assert hours is not None
     low, high = _range(lines.values)
+    # what is the same of every place is found once
+    blinds = result.once("blinds", lambda: [_blinds(result, place) for place in range(len(carpets))])
+    for one, closed in zip(carpets, blinds, strict=True):
+        one["blinds"] = closed
     return {
         "series": word,
         "unit": "lx",
@@ -64,7 +68,7 @@ def carpet(result: Result, *, series: Any = "mean", sensor: Any = None) -> dict[
         "days": [str(day)[:10] for day in days[:-1]],
         "step_h": float(hours[1] - hours[0]),
         "rows": len(hours) - 1,
-        "in_use": _in_use(result),
+        "in_use": result.once("in_use", lambda: _in_use(result)),
         "variants": carpets,
         **result.once("sun", lambda: _sun(result, days)),
     }
@@ -155,15 +159,15 @@ def _series(result: Result, word: str, sensor: Any) -> xr.DataArray:
 def _in_use(result: Result) -> list[Any]:
     used = result.data["in_use"].isel(variant=0).astype(np.float64)
     cells = by_day_and_hour(used.assign_coords(local_time=("time", _clock(result))))[0]
-    return [None if np.isnan(one) else int(one > 0.5) for one in cells.ravel()]
+    return [None if one is None else int(one > 0.5) for one in _listed(cells)]
 
 
-def _blinds(result: Result, place: int) -> Floats | None:
+def _blinds(result: Result, place: int) -> list[Any] | None:
     if "blinds_closed" not in result.data:
         return None
     closed = result.data["blinds_closed"].isel(variant=place).mean("window_group")
     cells: Floats = by_day_and_hour(closed.assign_coords(local_time=("time", _clock(result))))[0]
-    return np.round(cells.ravel(), 2)
+    return _listed(np.round(cells, 2))
 
 
 def _site(result: Result) -> Site | None:
@@ -227,6 +231,14 @@ def _rounded(cells: Floats) -> Floats:
     size = np.where(cells > 0.0, cells, 1.0)
     scale = 10.0 ** (_DIGITS - 1 - np.floor(np.log10(size)))
     return np.round(cells * scale) / scale
+
+
+def _listed(cells: Floats) -> list[Any]:
+    """Numbers row by row, null where there is none: so they are written as they are, and not looked at one by one."""
+    told = cells.ravel().astype(object)
+    told[np.isnan(cells.ravel())] = None
+    numbers: list[Any] = told.tolist()
+    return numbers
 
 
 def _mean(values: Any) -> float | None:
