@@ -14,8 +14,7 @@ from clerestory.studio.settings import Settings
 
 IDEAL = {"kind": "laser-cut", "spacing_mm": 6.0, "thickness_mm": 5.0}
 #: Its BSDF takes minutes.
-PRISM = {"kind": "prismatic", "pitch_mm": 2.0, "lower_deg": 45.0, "upper_deg": 80.0, "base_mm": 3.0}
-CURVED = IDEAL | {"cut_width_mm": 0.31, "cut_tilt_deg": 7.3}
+SLOW = IDEAL | {"spacing_mm": [3.1, 4.7, 5.3], "thickness_mm": 9.0, "cut_width_mm": 0.31, "cut_tilt_deg": 7.3}
 
 
 def listed(client: Any, **query: str) -> list[dict[str, Any]]:
@@ -32,9 +31,9 @@ def listed(client: Any, **query: str) -> list[dict[str, Any]]:
 def test_jobs_are_listed_with_what_they_were_asked_and_how_far_they_are(client: Any) -> None:
     done = started(client, kind="angular", panel=IDEAL, azimuth_deg=3.0)
     ended(client, done)
-    busy = started(client, kind="klems", panel=PRISM)
+    busy = started(client, kind="klems", panel=SLOW)
     works(client, busy)
-    waits = started(client, kind="angular", panel=CURVED)
+    waits = started(client, kind="angular", panel=SLOW)
     found = listed(client)
     assert [one["job"] for one in found[:3]] == [waits, busy, done]
     assert (found[1]["state"], found[1]["followers"]) == ("running", 0)
@@ -42,7 +41,7 @@ def test_jobs_are_listed_with_what_they_were_asked_and_how_far_they_are(client: 
     # what was left out has its default
     assert found[1]["asked"] == {
         "kind": "klems",
-        "panel": PRISM,
+        "panel": SLOW,
         "basis": "klems_full",
         "accuracy": "fine",
     }
