@@ -11,11 +11,13 @@ import copy
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 import time
 from collections.abc import Callable
+from datetime import date, timedelta
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -34,6 +36,14 @@ PRISM = {"kind": "prismatic", "pitch_mm": 4.0, "lower_deg": 45.0, "upper_deg": 8
 CLEAR = {"kind": "cie", "sky_type": 12, "luminous_turbidity": 4.0}
 #: The question that is asked while two long jobs run beside.
 BUSY = "panel, section, while two BSDFs of prisms are computed"
+CLASSROOM, WEATHER = ROOT / "examples" / "classroom", "USA_FL_Miami.Intl.AP.722020_TMY3.epw"
+ROUGH_YEAR = """[calculation]
+suns = "reinhart577"
+rounds = 2
+nodes = 256
+window_samples = 32
+sun_rounds = 2
+"""
 #: What a client asks in its turn: path and body, of the turn and the number of the client.
 Question = Callable[[int, int], tuple[str, dict[str, Any]]]
 TEXT = """Milliseconds from question to answer, while 20 clients ask the same kind of question up to 20 times a second,
@@ -46,27 +56,62 @@ def moved(turn: int, client: int) -> float:
     return (0.618034 * (1 + turn) + 0.0137 * client) % 1.0
 
 
-async def questions(client: httpx.AsyncClient, folder: Path) -> dict[str, Question]:
+async def asked(client: httpx.AsyncClient, path: str, body: dict[str, Any]) -> Any:
+    """The answer to one question."""
+    answer = await client.post(path, json=body)
+    answer.raise_for_status()
+    return answer.json()
+
+
+async def done(client: httpx.AsyncClient, **body: Any) -> Any:
+    """The result of a job."""
+    key = (await asked(client, "/api/jobs", body))["job"]
+    while (state := (await client.get(f"/api/jobs/{key}")).json())["state"] in ("waiting", "running"):
+        await asyncio.sleep(0.1)
+    assert state["state"] == "done", state
+    return state["result"]
+
+
+async def year_questions(client: httpx.AsyncClient, folder: Path) -> dict[str, Question]:
+    """Those about a year of the classroom, whose numbers come of few rays: the answers are as large as of many."""
+    shutil.copy(CLASSROOM / WEATHER, folder)
+    text = (CLASSROOM / "year.toml").read_text(encoding="utf-8").partition("[calculation]")[0] + ROUGH_YEAR
+    (folder / "year.toml").write_text(text, encoding="utf-8")
+    path = (await done(client, kind="year", path="year.toml"))["path"]
+    told = await asked(client, "/api/result/open", {"path": path})
+    key, metrics = told["key"], [one["key"] for one in told["metrics"]]
+    sensors = sum(one["count"] for one in told["planes"])
+    first = date.fromisoformat((await asked(client, "/api/result/carpet", {"key": key}))["days"][0])
+
+    def any_hour(turn: int, one: int) -> dict[str, Any]:
+        hour = int(8760 * moved(turn, one))
+        day = first + timedelta(days=hour // 24)
+        return {"key": key, "day": day.isoformat(), "hour": hour % 24 + 0.5}
+
+    return {
+        "year, plan of a quantity": lambda turn, one: (
+            "/api/result/plan",
+            {"key": key, "metric": metrics[(turn + one) % len(metrics)]},
+        ),
+        "year, plan of an hour": lambda turn, one: ("/api/result/hour", any_hour(turn, one)),
+        "year, carpet of a place": lambda turn, one: (
+            "/api/result/carpet",
+            {"key": key, "series": "sensor", "sensor": int(sensors * moved(turn, one))},
+        ),
+        "year, months of a place": lambda turn, one: (
+            "/api/result/months",
+            {"key": key, "series": "sensor", "sensor": int(sensors * moved(turn, one))},
+        ),
+    }
+
+
+async def questions(client: httpx.AsyncClient, folder: Path, only: list[str]) -> dict[str, Question]:
     """The kinds of questions that are asked while one drags, on things that are opened first."""
-
-    async def asked(path: str, body: dict[str, Any]) -> Any:
-        answer = await client.post(path, json=body)
-        answer.raise_for_status()
-        return answer.json()
-
-    async def done(**body: Any) -> Any:
-        key = (await asked("/api/jobs", body))["job"]
-        while (state := (await client.get(f"/api/jobs/{key}")).json())["state"] in ("waiting", "running"):
-            await asyncio.sleep(0.1)
-        assert state["state"] == "done", state
-        return state["result"]
-
     panel_from_dict(IDEAL).bsdf().to_xml(folder / "panel.xml")
-    klems = (await asked("/api/bsdf/open", {"path": "panel.xml"}))["key"]
-    start = (await asked("/api/room/kinds", {}))["start"]
-    light = (await done(kind="room", room={"tables": start}, surface=start["sensors"][0].get("name", "work plane")))[
-        "key"
-    ]
+    klems = (await asked(client, "/api/bsdf/open", {"path": "panel.xml"}))["key"]
+    start = (await asked(client, "/api/room/kinds", {}))["start"]
+    plane = start["sensors"][0].get("name", "work plane")
+    light = (await done(client, kind="room", room={"tables": start}, surface=plane))["key"]
 
     def of_panel(path: str, panel: dict[str, Any], size: str) -> Question:
         return lambda turn, one: (
@@ -105,6 +150,7 @@ async def questions(client: httpx.AsyncClient, folder: Path) -> dict[str, Questi
         ),
         "room, light of an overcast sky": of_light({"kind": "overcast"}),
         "room, light of sky and sun": of_light(CLEAR),
+        **(await year_questions(client, folder) if not only or any("year" in one for one in only) else {}),
         BUSY: of_panel("/api/panel/section", IDEAL, "spacing_mm"),
     }
 
@@ -161,7 +207,7 @@ async def measured(url: str, process: int, folder: Path, clients: int, seconds: 
     """A row of the table for each kind of question."""
     rows = []
     async with httpx.AsyncClient(base_url=url, timeout=60.0) as client:
-        for name, ask in (await questions(client, folder)).items():
+        for name, ask in (await questions(client, folder, only)).items():
             if only and not any(one in name for one in only):
                 continue
             jobs = []
