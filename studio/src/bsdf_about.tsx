@@ -1,6 +1,7 @@
 // What a BSDF is, and what its checks say in plain words.
 
 import type { BsdfTold } from "./answers";
+import { Heads } from "./data_table";
 import { words } from "./words";
 
 export function BsdfAbout({ told }: { told: BsdfTold }) {
@@ -32,15 +33,7 @@ export function BsdfAbout({ told }: { told: BsdfTold }) {
       <details>
         <summary>{words.blocks}</summary>
         <table>
-          <thead>
-            <tr>
-              {words.blockHeads.map((head) => (
-                <th key={head} scope="col">
-                  {head}
-                </th>
-              ))}
-            </tr>
-          </thead>
+          <Heads words={words.blockHeads} />
           <tbody>
             {Object.entries(told.bands).flatMap(([band, blocks]) =>
               Object.entries(blocks).map(([name, block]) => (

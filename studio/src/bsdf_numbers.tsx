@@ -2,6 +2,7 @@
 
 import type { Discs, ShareCurve } from "./answers";
 import type { BsdfState } from "./bsdf_state";
+import { Heads } from "./data_table";
 import { type Curve, DrawCurve } from "./draw_curve";
 import { type Answer, useAnswer } from "./follow";
 import { Faults } from "./inputs";
@@ -33,17 +34,7 @@ export function BsdfNumbers({ keys, discs, look }: Props) {
     <div class="grid">
       <Figure name="bsdf-numbers" title={`${said.numbers}: ${saidPanel.skyText(look.elevation, look.azimuth)}`} table={numberTable} noPicture>
         <table class="differences">
-          <thead>
-            <tr>
-              <th scope="col">{names.length > 1 ? "" : words.shares}</th>
-              {names.map((name) => (
-                <th key={name} scope="col">
-                  {name || said.numberHeads[1]}
-                </th>
-              ))}
-              {names.length > 1 ? <th scope="col">{saidPanel.differenceHeads[3]}</th> : <th scope="col">{said.numberHeads[2]}</th>}
-            </tr>
-          </thead>
+          <Heads words={names.length > 1 ? ["", ...names, saidPanel.differenceHeads[3]] : [words.shares, ...said.numberHeads.slice(1, 3)]} />
           <tbody>
             {rows.map((word) => {
               const [a, b] = [found(0, word)?.share, found(1, word)?.share];

@@ -1,4 +1,4 @@
-// The numbers of a figure as a table, for whoever does not see the picture.
+// Tables: the numbers of a figure for whoever does not see the picture, and the heads of any.
 
 import { useState } from "preact/hooks";
 import { said } from "./ticks";
@@ -16,15 +16,7 @@ export function DataTable({ summary, table }: { summary: string; table: () => Re
       {isOpen && (
         <div class="tableScroll" tabindex={0} role="group" aria-label={summary}>
           <table>
-            <thead>
-              <tr>
-                {names.map((name) => (
-                  <th key={name} scope="col">
-                    {name.replace(/_/g, " ")}
-                  </th>
-                ))}
-              </tr>
-            </thead>
+            <Heads words={names.map((name) => name.replace(/_/g, " "))} />
             <tbody>
               {Array.from({ length: rows }, (_, k) => (
                 <tr key={k}>
@@ -39,5 +31,20 @@ export function DataTable({ summary, table }: { summary: string; table: () => Re
         </div>
       )}
     </details>
+  );
+}
+
+/** The heads of a table's columns. */
+export function Heads({ words }: { words: string[] }) {
+  return (
+    <thead>
+      <tr>
+        {words.map((word) => (
+          <th key={word} scope="col">
+            {word}
+          </th>
+        ))}
+      </tr>
+    </thead>
   );
 }

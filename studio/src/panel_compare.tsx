@@ -1,5 +1,6 @@
 // Two panels side by side: what differs, in numbers; swapped and copied.
 
+import { Heads } from "./data_table";
 import type { Looked } from "./panel_follow";
 import { sharesOf } from "./panel_one";
 import type { PanelState } from "./panel_state";
@@ -36,15 +37,7 @@ export function Differences({ a, b }: { a: Looked; b: Looked }) {
   return (
     <Figure name="differences" title={said.differences} table={table} noPicture>
       <table class="differences">
-        <thead>
-          <tr>
-            {said.differenceHeads.map((head) => (
-              <th key={head} scope="col">
-                {head}
-              </th>
-            ))}
-          </tr>
-        </thead>
+        <Heads words={said.differenceHeads} />
         <tbody>
           {rows.map((name) => {
             const by = 100 * (second[name] - first[name]);

@@ -1,6 +1,7 @@
 // One panel: its section with the light, its numbers, its beams.
 
 import type { Lobe, Shares } from "./answers";
+import { Heads } from "./data_table";
 import { DrawSection } from "./draw_section";
 import { DrawShares } from "./draw_shares";
 import type { Looked } from "./panel_follow";
@@ -91,15 +92,7 @@ export function OnePanel({ name, looked, state, isDark, onSun }: Props) {
         {isRough && <p class="hint">{said.beamsNone}</p>}
         {beams.length > 0 && (
           <table>
-            <thead>
-              <tr>
-                {words.beamHeads.map((head) => (
-                  <th key={head} scope="col">
-                    {head}
-                  </th>
-                ))}
-              </tr>
-            </thead>
+            <Heads words={words.beamHeads} />
             <tbody>
               {beams.slice(0, MOST_ROWS).map((beam, k) => (
                 <tr key={k}>

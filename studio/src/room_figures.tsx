@@ -1,6 +1,7 @@
 // The plan, the section and the table of a plane's values.
 
 import { useMemo } from "preact/hooks";
+import { Heads } from "./data_table";
 import type { Plane, RoomLight, RoomScene } from "./room_answers";
 import { DrawPlan } from "./room_draw_plan";
 import { DrawDepth } from "./room_draw_section";
@@ -64,15 +65,7 @@ export function RoomFigures({ room, scene, plane, told, scale, unit, light, isSt
         <summary>{said.tableTitle}</summary>
         <div class="scrolls" tabIndex={0} role="region" aria-label={said.tableTitle}>
           <table>
-            <thead>
-              <tr>
-                {said.tableHeads.map((head) => (
-                  <th key={head} scope="col">
-                    {head}
-                  </th>
-                ))}
-              </tr>
-            </thead>
+            <Heads words={said.tableHeads} />
             <tbody>
               {all.map((k) => (
                 <tr key={k}>
