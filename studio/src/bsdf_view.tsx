@@ -7,14 +7,13 @@ import { BsdfNumbers } from "./bsdf_numbers";
 import { BsdfFigures, useLookedAt } from "./bsdf_one";
 import { type Opened, type Slot, useOpened } from "./bsdf_open";
 import type { BsdfState } from "./bsdf_state";
-import { DrawSky } from "./draw_sky";
 import { useOnce } from "./follow";
 import { ChoiceInput, chosen, Faults, SliderInput } from "./inputs";
 import "./panel.css";
+import { SkyInputs } from "./sky_inputs";
 import { change, type State } from "./state";
 import { words } from "./words";
 import { bsdf as said } from "./words/bsdf";
-import { panel as saidPanel } from "./words/panel";
 
 export function BsdfView({ state }: { state: State }) {
   const look = state.bsdf;
@@ -101,9 +100,7 @@ function LightInputs({ look, bands }: { look: BsdfState; bands: string[] }) {
   return (
     <fieldset class="controls">
       <legend>{said.light}</legend>
-      <DrawSky elevation={look.elevation} azimuth={look.azimuth} side={look.side} label={saidPanel.skyLabel} text={saidPanel.skyText(look.elevation, look.azimuth)} up={words.up} right={words.right} onSun={set} />
-      <SliderInput id="elevation" label={saidPanel.elevation} value={look.elevation} low={-89} high={89} step={1} unit="°" onChange={(elevation) => change("bsdf", { elevation })} />
-      <SliderInput id="azimuth" label={saidPanel.azimuth} value={look.azimuth} low={-89} high={89} step={1} unit="°" onChange={(azimuth) => change("bsdf", { azimuth })} />
+      <SkyInputs elevation={look.elevation} azimuth={look.azimuth} side={look.side} step={1} onSun={set} />
       <ChoiceInput id="side" label={words.side} value={look.side} options={Object.entries(words.sides)} onChange={(side) => change("bsdf", { side })} />
       <ChoiceInput id="band" label={words.band} value={look.band} options={bands.map((band) => [band, band])} onChange={(band) => change("bsdf", { band })} />
       <ChoiceInput id="scale" label={said.scale} value={look.scale} options={Object.entries(said.scales)} onChange={(scale) => change("bsdf", { scale })} />
