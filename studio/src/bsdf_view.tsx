@@ -1,12 +1,12 @@
 // Anybody's BSDF: dropped or opened, looked at, checked in plain words; two of them compared.
 
-import { useState } from "preact/hooks";
 import type { About } from "./answers";
 import { BsdfAbout } from "./bsdf_about";
 import { BsdfNumbers } from "./bsdf_numbers";
 import { BsdfFigures, useLookedAt } from "./bsdf_one";
 import { type Opened, type Slot, useOpened } from "./bsdf_open";
 import type { BsdfState } from "./bsdf_state";
+import { useDrop } from "./drop";
 import { useOnce } from "./follow";
 import { ChoiceInput, chosen, Faults, SliderInput } from "./inputs";
 import "./panel.css";
@@ -18,7 +18,6 @@ import { bsdf as said } from "./words/bsdf";
 export function BsdfView({ state }: { state: State }) {
   const look = state.bsdf;
   const about = useOnce<About>("/api/about");
-  const [isOver, setIsOver] = useState(false);
   const a = useOpened("a", look);
   const b = useOpened("b", look);
   const opened = { a, b };
@@ -28,20 +27,9 @@ export function BsdfView({ state }: { state: State }) {
   const files = about.value?.files.filter((file) => file.kind === "bsdf").map((file) => file.path) ?? [];
   // what is dropped goes where nothing is yet
   const free: Slot = look.compares && a.key && !b.key ? "b" : "a";
+  const { isOver, hands } = useDrop((held) => void opened[free].drop(held?.files[0]));
   return (
-    <div
-      class={`view bsdfView${look.compares ? " compares" : ""}`}
-      onDragOver={(event) => {
-        event.preventDefault();
-        setIsOver(true);
-      }}
-      onDragLeave={() => setIsOver(false)}
-      onDrop={(event) => {
-        event.preventDefault();
-        setIsOver(false);
-        void opened[free].drop(event.dataTransfer?.files[0]);
-      }}
-    >
+    <div class={`view bsdfView${look.compares ? " compares" : ""}`} {...hands}>
       <aside class="side" aria-label={words.views.bsdf}>
         {slots.map((slot) => (
           <OpenInputs key={slot} slot={slot} opened={opened[slot]} files={files} look={look} isOver={isOver && slot === free} />

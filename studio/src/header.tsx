@@ -20,7 +20,7 @@ export function Header({ state, views, view }: { state: State; views: string[]; 
   const [note, setNote] = useState<Note>({ text: "", isWrong: false });
   const [isOver, setIsOver] = useState(false);
   const take = async (file: File | undefined) => file && setNote(await openFile(file));
-  useDrop(take, (fault) => setNote({ text: `${words.badFile}: ${fault.message}`, isWrong: true }), setIsOver);
+  useDropAnywhere(take, (fault) => setNote({ text: `${words.badFile}: ${fault.message}`, isWrong: true }), setIsOver);
   useEffect(() => {
     if (!note.text || note.isWrong) return;
     const later = setTimeout(() => setNote({ text: "", isWrong: false }), 1000 * NOTE_S);
@@ -94,7 +94,7 @@ export function Header({ state, views, view }: { state: State; views: string[]; 
 }
 
 /** Files dropped anywhere: a TOML is taken whatever view it falls on, others where no view takes them itself. */
-function useDrop(take: (file: File | undefined) => unknown, refuse: (fault: Error) => void, setIsOver: (is: boolean) => void) {
+function useDropAnywhere(take: (file: File | undefined) => unknown, refuse: (fault: Error) => void, setIsOver: (is: boolean) => void) {
   useEffect(() => {
     let later = 0;
     const over = (event: DragEvent) => {

@@ -3,6 +3,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { droppedFile } from "./dropped_folder";
 import { ask, type Fault, Refused, send } from "./ask";
+import { useDrop } from "./drop";
 import { change, type State } from "./state";
 import type { ResultTold } from "./year_answers";
 import { YearCases } from "./year_cases";
@@ -18,7 +19,6 @@ export function YearView({ state, isDark }: { state: State; isDark: boolean }) {
   const [told, setTold] = useState<ResultTold | null>(null);
   const [faults, setFaults] = useState<Fault[]>([]);
   const [opening, setOpening] = useState("");
-  const [isOver, setIsOver] = useState(false);
   const took = (found: ResultTold, path: string) => {
     setTold(found);
     setFaults([]);
@@ -65,6 +65,7 @@ export function YearView({ state, isDark }: { state: State; isDark: boolean }) {
       refuse(fault);
     }
   };
+  const { isOver, hands } = useDrop((held) => void droppedFile(held).then(drop, refuse));
   /** The room of the result, at the hour that is looked at. */
   const openRoom = (file: string) => {
     const day = Math.floor((Date.parse(`${look.day}T00:00:00Z`) - Date.parse(`${look.day.slice(0, 4)}-01-01T00:00:00Z`)) / 86_400_000) + 1;
@@ -74,19 +75,7 @@ export function YearView({ state, isDark }: { state: State; isDark: boolean }) {
   const shown = told ? told.variants.map((_, k) => k).filter((k) => !look.hidden.includes(told.variants[k])) : [];
   const turn = (name: string, on: boolean) => change("year", { hidden: on ? look.hidden.filter((one) => one !== name) : [...look.hidden, name] });
   return (
-    <div
-      class="view yearView"
-      onDragOver={(event) => {
-        event.preventDefault();
-        setIsOver(true);
-      }}
-      onDragLeave={() => setIsOver(false)}
-      onDrop={(event) => {
-        event.preventDefault();
-        setIsOver(false);
-        void droppedFile(event.dataTransfer).then(drop, refuse);
-      }}
-    >
+    <div class="view yearView" {...hands}>
       <aside class="side" aria-label={words.results}>
         {told && told.variants.length > 1 && (
           <fieldset class="controls">
