@@ -52,6 +52,8 @@ export const HUES: Record<string, string> = {
   residual: "#CC79A7",
   transmittance: "#0072B2",
 };
+/** Of the blocks of a BSDF. */
+export const OF_BLOCK: Record<string, string> = { Transmitted: HUES.transmittance, Reflected: HUES.reflectance };
 
 /** Blue over white to brown, for differences of either sign (Okabe and Ito's blue and vermilion at the ends). */
 const BLUE_TO_BROWN: Stop[] = [

@@ -2,6 +2,7 @@
 
 import type { Table } from "./answers";
 import { HUES } from "./colours";
+import { type Axes, axesOf, Here, LineKey, lineOf, ShareAxes } from "./draw_axes";
 
 export interface Curve {
   name: string;
@@ -17,42 +18,22 @@ export interface CurveProps {
   label: string;
 }
 
-const [WIDE, HIGH, LEFT, FOOT, HEAD] = [560, 330, 44, 40, 44];
-
 export function DrawAngular({ curves, quantities, elevation, words, label, axis, names }: CurveProps & { axis: string; names: Record<string, string> }) {
-  const x = (deg: number) => LEFT + ((deg + 90) / 180) * (WIDE - LEFT - 14);
-  const y = (share: number) => HIGH - FOOT - share * (HIGH - FOOT - HEAD);
-  const across = (WIDE - LEFT) / quantities.length;
+  const axes = axesOf(330);
+  const { wide, high, left, x, y } = axes;
+  const across = (wide - left) / quantities.length;
   return (
-    <svg class="drawing" viewBox={`0 0 ${WIDE} ${HIGH}`} role="img" aria-label={label}>
-      {[0, 0.25, 0.5, 0.75, 1].map((share) => (
-        <g key={share}>
-          <path class="hair" d={`M${LEFT} ${y(share)}H${WIDE - 14}`} />
-          <text class="small" x={LEFT - 6} y={y(share)} text-anchor="end" dominant-baseline="central">
-            {100 * share}
-          </text>
-        </g>
-      ))}
-      {[-90, -60, -30, 0, 30, 60, 90].map((deg) => (
-        <text key={deg} class="small" x={x(deg)} y={HIGH - FOOT + 15} text-anchor="middle">
-          {deg}°
-        </text>
-      ))}
-      <text class="small faint" x={(WIDE + LEFT) / 2} y={HIGH - 6} text-anchor="middle">
-        {axis}
-      </text>
-      <text class="small faint" x={LEFT - 6} y={HEAD - 14} text-anchor="end">
-        %
-      </text>
+    <svg class="drawing" viewBox={`0 0 ${wide} ${high}`} role="img" aria-label={label}>
+      <ShareAxes axes={axes} axis={axis} />
       {curves.flatMap((curve) =>
         quantities.map((name) => (
           <g key={curve.name + name}>
-            {band(curve.table, name, x, y)}
-            <path class="curve" stroke={HUES[name]} stroke-dasharray={curve.dash} d={`M${curve.table.elevation_deg.map((deg, k) => `${x(deg).toFixed(1)} ${y(curve.table[name][k]).toFixed(1)}`).join("L")}`} />
+            <Band table={curve.table} name={name} axes={axes} />
+            <path class="curve" stroke={HUES[name]} stroke-dasharray={curve.dash} d={lineOf(axes, curve.table.elevation_deg, curve.table[name])} />
           </g>
         )),
       )}
-      <path class="here" d={`M${x(elevation)} ${y(0)}V${y(1)}`} />
+      <Here axes={axes} elevation={elevation} />
       {curves.flatMap((curve) =>
         quantities.map((name) => {
           const value = at(curve.table, name, elevation);
@@ -60,31 +41,18 @@ export function DrawAngular({ curves, quantities, elevation, words, label, axis,
         }),
       )}
       {quantities.map((name, k) => (
-        <g key={name}>
-          <path class="curve" stroke={HUES[name]} d={`M${LEFT + k * across} ${12}h18`} />
-          <text class="small" x={LEFT + 24 + k * across} y={12} dominant-baseline="central">
-            {words[name]}
-          </text>
-        </g>
+        <LineKey key={name} x={left + k * across} y={12} stroke={HUES[name]} text={words[name]} />
       ))}
-      {curves.length > 1 &&
-        curves.map((curve, k) => (
-          <g key={curve.name}>
-            <path class="curve" stroke="currentColor" stroke-dasharray={curve.dash} d={`M${WIDE - 190 + k * 96} ${30}h24`} />
-            <text class="small" x={WIDE - 160 + k * 96} y={30} dominant-baseline="central">
-              {names[curve.name]}
-            </text>
-          </g>
-        ))}
+      {curves.length > 1 && curves.map((curve, k) => <LineKey key={curve.name} x={wide - 190 + k * 96} y={30} length={24} dash={curve.dash} text={names[curve.name]} />)}
     </svg>
   );
 }
 
 /** Two standard errors on either side, if there are any. */
-function band(table: Table, name: string, x: (deg: number) => number, y: (share: number) => number) {
+function Band({ table, name, axes }: { table: Table; name: string; axes: Axes }) {
   const errors = table[`${name}_standard_error`];
   if (!errors) return null;
-  const edge = (sign: number) => table.elevation_deg.map((deg, k) => `${x(deg).toFixed(1)} ${y(Math.max(0, table[name][k] + 2 * sign * errors[k])).toFixed(1)}`);
+  const edge = (sign: number) => lineOf(axes, table.elevation_deg, table[name].map((share, k) => Math.max(0, share + 2 * sign * errors[k]))).slice(1).split("L");
   return <path d={`M${[...edge(1), ...edge(-1).reverse()].join("L")}Z`} fill={HUES[name]} fill-opacity={0.25} />;
 }
 

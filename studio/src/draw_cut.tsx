@@ -1,10 +1,10 @@
 // A cut through the light that a BSDF sends out: outside on the left, room on the right, logarithmic.
 
 import type { Cut } from "./answers";
-import { HUES } from "./colours";
+import { OF_BLOCK } from "./colours";
+import { LineKey } from "./draw_axes";
 
 const DECADES = 4;
-const LINES: Record<string, string> = { Transmitted: HUES.transmittance, Reflected: HUES.reflectance };
 
 export function DrawCut({ cut, isFront, isLogarithmic, outside, room, unit, label }: { cut: Cut; isFront: boolean; isLogarithmic: boolean; outside: string; room: string; unit: string; label: string }) {
   const [size, radius] = [420, 165];
@@ -34,7 +34,7 @@ export function DrawCut({ cut, isFront, isLogarithmic, outside, room, unit, labe
       {cut.curves.map((curve) => {
         const isRoom = isFront === (curve.word === "Transmitted");
         const points = curve.values.map((value, k) => point(cut.angle_deg[k], far(value), isRoom)).join("L");
-        return <path key={curve.word} d={`M${centre} ${centre}L${points}Z`} fill={LINES[curve.word]} fill-opacity={0.2} stroke={LINES[curve.word]} stroke-width={1.6} />;
+        return <path key={curve.word} d={`M${centre} ${centre}L${points}Z`} fill={OF_BLOCK[curve.word]} fill-opacity={0.2} stroke={OF_BLOCK[curve.word]} stroke-width={1.6} />;
       })}
       <path class="arrow" d={`M${point(cut.from_deg, 1.08, !isFront)}L${point(cut.from_deg, 0.06, !isFront)}`} />
       <text class="small" x={20} y={size - 10}>
@@ -47,12 +47,7 @@ export function DrawCut({ cut, isFront, isLogarithmic, outside, room, unit, labe
         BSDF [{unit}]
       </text>
       {cut.curves.map((curve, k) => (
-        <g key={curve.word}>
-          <path d={`M10 ${16 + 18 * k}h16`} stroke={LINES[curve.word]} stroke-width={3} />
-          <text class="small" x={32} y={16 + 18 * k} dominant-baseline="central">
-            {curve.word}
-          </text>
-        </g>
+        <LineKey key={curve.word} x={10} y={16 + 18 * k} length={16} stroke={OF_BLOCK[curve.word]} text={curve.word} />
       ))}
     </svg>
   );

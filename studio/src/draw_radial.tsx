@@ -3,6 +3,7 @@
 import type { Lobe, Walked } from "./answers";
 import { HUES } from "./colours";
 import type { CurveProps } from "./draw_angular";
+import { LineKey } from "./draw_axes";
 
 const RAD = Math.PI / 180;
 
@@ -40,22 +41,9 @@ export function DrawRadial({ curves, quantities, elevation, words, label, side, 
       )}
       <path class="here" d={`M${point(elevation, 0)}L${point(elevation, 1.04)}`} />
       {quantities.map((name, k) => (
-        <g key={name}>
-          <path class="curve" stroke={HUES[name]} d={`M${left} ${14 + 18 * k}h16`} />
-          <text class="small" x={left + 22} y={14 + 18 * k} dominant-baseline="central">
-            {words[name]}
-          </text>
-        </g>
+        <LineKey key={name} x={left} y={14 + 18 * k} length={16} stroke={HUES[name]} text={words[name]} />
       ))}
-      {curves.length > 1 &&
-        curves.map((curve, k) => (
-          <g key={curve.name}>
-            <path class="curve" stroke="currentColor" stroke-dasharray={curve.dash} d={`M${left} ${size - 24 + 18 * k}h16`} />
-            <text class="small" x={left + 22} y={size - 24 + 18 * k} dominant-baseline="central">
-              {names[curve.name]}
-            </text>
-          </g>
-        ))}
+      {curves.length > 1 && curves.map((curve, k) => <LineKey key={curve.name} x={left} y={size - 24 + 18 * k} length={16} dash={curve.dash} text={names[curve.name]} />)}
     </svg>
   );
 }
@@ -117,12 +105,7 @@ export function DrawGoes({ lobes, spread, elevation, side, label, words, outside
         {room}
       </text>
       {kinds.map((name, k) => (
-        <g key={name}>
-          <path class="curve" stroke={HUES[name]} d={`M${2 + k * 112} ${size + 12}h14`} />
-          <text class="small" x={20 + k * 112} y={size + 12} dominant-baseline="central">
-            {words[name]}
-          </text>
-        </g>
+        <LineKey key={name} x={2 + k * 112} y={size + 12} length={14} stroke={HUES[name]} text={words[name]} />
       ))}
     </svg>
   );
