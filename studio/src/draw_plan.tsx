@@ -1,8 +1,9 @@
 // Plans side by side on one scale: cells, outline, windows, a contour, and one cursor for all.
 
 import { useRef } from "preact/hooks";
+import type { Point } from "./answers";
 import { cividis, ofDifference } from "./colours";
-import { contour } from "./contours";
+import { contour, squaresOf } from "./contours";
 import { logTicks, said, ticks } from "./ticks";
 import type { Plan } from "./year_answers";
 
@@ -28,7 +29,8 @@ export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, c
   const step = [x, y].map((list) => (list.length > 1 ? (list[list.length - 1] - list[0]) / (list.length - 1) : 1));
   const half = step.map((one) => Math.abs(one) / 2);
   const window = plan.windows.flatMap((one) => one.points);
-  const around = [...plan.outline, ...window, ...x.flatMap((a) => y.map((b) => [a, b])).flatMap(([a, b]) => [[a - half[0], b - half[1]], [a + half[0], b + half[1]]])];
+  const points = y.flatMap((b) => x.map((a): Point => [a, b]));
+  const around = [...plan.outline, ...window, ...points.flatMap(([a, b]) => [[a - half[0], b - half[1]], [a + half[0], b + half[1]]])];
   const [lowX, highX] = [Math.min(...around.map((one) => one[0])), Math.max(...around.map((one) => one[0]))];
   const [lowY, highY] = [Math.min(...around.map((one) => one[1])), Math.max(...around.map((one) => one[1]))];
   const count = plan.variants.length;
@@ -46,6 +48,7 @@ export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, c
   const colour = isDifference ? ofDifference : cividis;
   const origin = (number: number) => [(number % columns) * each + LEFT, Math.floor(number / columns) * (TOP + high + FOOT) + TOP];
   const at = (a: number, b: number) => `${((a - lowX) * scale).toFixed(1)} ${((highY - b) * scale).toFixed(1)}`;
+  const squares = squaresOf(x.length, y.length);
   const cellAt = (event: MouseEvent): number => {
     const matrix = drawing.current?.getScreenCTM();
     if (!matrix) return -1;
@@ -101,7 +104,7 @@ export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, c
     >
       {plan.variants.map((variant, number) => {
         const [ox, oy] = origin(number);
-        const line = plan.level === null ? "" : contour(x, y, variant.values, plan.level, at);
+        const line = plan.level === null ? "" : contour(squares, points, variant.values, plan.level).map((piece) => `M${piece.map(([a, b]) => at(a, b)).join("L")}`).join("");
         return (
           <g key={variant.label} transform={`translate(${ox.toFixed(1)} ${oy.toFixed(1)})`}>
             <text class="planTitle" x={0} y={-24}>

@@ -2,8 +2,9 @@
 
 import type { Point } from "./answers";
 import { cividis } from "./colours";
+import { contour, squaresAt } from "./contours";
 import type { Plane } from "./room_answers";
-import { beside, type Flat, isoline } from "./room_flat";
+import { beside, type Flat } from "./room_flat";
 import { type Scale, share, ticks, written } from "./room_scale";
 
 interface Props {
@@ -34,6 +35,7 @@ export function DrawPlan({ plane, flat, values, scale, unit, picked, isStale, ha
   const px = ([x, y]: Point): Point => [shift + (x - left) * size, EDGE + (high - y) * size];
   const path = (points: Point[], closes: boolean) => `M${points.map((one) => px(one).map((at) => at.toFixed(1)).join(" ")).join("L")}${closes ? "Z" : ""}`;
   const named: Point[] = [];
+  const squares = plane.row && plane.column ? squaresAt(plane.row, plane.column) : [];
   const levels = ticks(scale, 6).filter((one) => one > scale.low && one < scale.high);
   const key = (event: KeyboardEvent) => {
     const to = beside(flat, picked, event.key);
@@ -63,7 +65,7 @@ export function DrawPlan({ plane, flat, values, scale, unit, picked, isStale, ha
             );
           })
         : levels.map((level) => {
-            const pieces = isoline(plane, flat, values, level);
+            const pieces = contour(squares, flat.points, values, level);
             if (!pieces.length) return null;
             const at = px(pieces[Math.floor(pieces.length / 2)][0]);
             const isNamed = named.every((other) => Math.hypot(other[0] - at[0], 2 * (other[1] - at[1])) > 46);

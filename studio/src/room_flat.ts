@@ -39,29 +39,6 @@ function ends(points: Point[]): [Point, Point] {
   return best;
 }
 
-/** Pieces of the line along which a grid's values are `level`: each square of four sensors crossed straight. */
-export function isoline(plane: Plane, flat: Flat, values: number[], level: number): [Point, Point][] {
-  const { row, column } = plane;
-  if (!row || !column) return [];
-  const at = new Map(row.map((r, k) => [`${r} ${column[k]}`, k]));
-  const found: [Point, Point][] = [];
-  row.forEach((r, k) => {
-    const c = column[k];
-    const square = [k, at.get(`${r} ${c + 1}`), at.get(`${r + 1} ${c + 1}`), at.get(`${r + 1} ${c}`)];
-    if (square.some((one) => one === undefined)) return;
-    const places = square as number[];
-    const crossings: Point[] = [];
-    places.forEach((a, side) => {
-      const b = places[(side + 1) % 4];
-      if (values[a] > level === values[b] > level) return;
-      const share = (level - values[a]) / (values[b] - values[a]);
-      crossings.push([flat.points[a][0] + share * (flat.points[b][0] - flat.points[a][0]), flat.points[a][1] + share * (flat.points[b][1] - flat.points[a][1])]);
-    });
-    for (let one = 0; one + 1 < crossings.length; one += 2) found.push([crossings[one], crossings[one + 1]]);
-  });
-  return found;
-}
-
 export interface Along {
   /** Sensors of the line through the chosen one. */
   sensors: number[];
