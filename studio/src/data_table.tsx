@@ -1,7 +1,7 @@
 // Tables: the numbers of a figure for whoever does not see the picture, and the heads of any.
 
 import { useState } from "preact/hooks";
-import { said } from "./ticks";
+import { written } from "./written";
 
 const MOST_ROWS = 400;
 
@@ -22,7 +22,7 @@ export function DataTable({ summary, table }: { summary: string; table: () => Re
                 <tr key={k}>
                   {names.map((name) => {
                     const value = columns[name][k];
-                    return <td key={name}>{typeof value === "string" ? value : said(value)}</td>;
+                    return <td key={name}>{typeof value === "string" ? value : written(value)}</td>;
                   })}
                 </tr>
               ))}

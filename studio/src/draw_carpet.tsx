@@ -2,7 +2,7 @@
 
 import { useMemo, useRef } from "preact/hooks";
 import { cividis } from "./colours";
-import { said } from "./ticks";
+import { written } from "./written";
 import type { Carpet, Numbers } from "./year_answers";
 
 interface Props {
@@ -127,7 +127,7 @@ export function DrawCarpet({ carpet, label, months, hourWord, onlyUse, isDark, c
         <rect x={0} y={high + 12} width={13} height={9} fill={NIGHT} />
         {carpet.ticks.map((tick) => (
           <text key={tick} class="small" x={18} y={high * (1 - share(tick))} dominant-baseline="central">
-            {said(tick, "lx")}
+            {written(tick, "lx")}
           </text>
         ))}
         <text class="small" x={18} y={high + 17} dominant-baseline="central">

@@ -2,9 +2,10 @@
 
 import { useRef } from "preact/hooks";
 import { fit } from "./draw_plan";
-import { logTicks, said, ticks } from "./ticks";
+import { logTicks, ticks } from "./ticks";
 import type { Numbers } from "./year_answers";
 import { categoryOf, dashOf, markOf } from "./colours";
+import { written } from "./written";
 
 export interface Line {
   label: string;
@@ -84,11 +85,11 @@ export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null,
         <g key={tick}>
           <path class="hair" d={`M${LEFT} ${py(tick)}H${width - RIGHT}`} />
           <text class="small" x={LEFT - 7} y={py(tick)} text-anchor="end" dominant-baseline="central">
-            {said(tick, unit === "%" && most > 10 ? "lx" : unit)}
+            {written(tick, unit === "%" && most > 10 ? "lx" : unit)}
           </text>
         </g>
       ))}
-      {(xTicks ?? ticks(first, last, 7).map((tick): [number, string] => [tick, said(tick)])).map(([tick, text]) => (
+      {(xTicks ?? ticks(first, last, 7).map((tick): [number, string] => [tick, written(tick)])).map(([tick, text]) => (
         <text key={tick} class="small" x={px(tick)} y={height - FOOT + 17} text-anchor="middle">
           {text}
         </text>
@@ -114,7 +115,7 @@ export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null,
             line.values.map((value, k) =>
               value === null ? null : (
                 <path key={k} class="seriesMark" fill={categoryOf(number)} transform={`translate(${px(x[k]).toFixed(1)} ${py(value).toFixed(1)}) scale(0.7)`} d={markOf(number)}>
-                  <title>{`${line.label}: ${said(value, unit)} ${unit}`}</title>
+                  <title>{`${line.label}: ${written(value, unit)} ${unit}`}</title>
                 </path>
               ),
             )}

@@ -4,7 +4,8 @@ import { useRef } from "preact/hooks";
 import type { Point } from "./answers";
 import { cividis, ofDifference } from "./colours";
 import { contour, squaresOf } from "./contours";
-import { logTicks, said, ticks } from "./ticks";
+import { logTicks, ticks } from "./ticks";
+import { written } from "./written";
 import type { Plan } from "./year_answers";
 
 interface Props {
@@ -112,7 +113,7 @@ export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, c
               <title>{variant.label}</title>
             </text>
             <text class="small faint" x={0} y={-9}>
-              {said(variant.least, plan.unit)} … {said(variant.mean, plan.unit)} … {said(variant.most, plan.unit)} {plan.unit}
+              {written(variant.least, plan.unit)} … {written(variant.mean, plan.unit)} … {written(variant.most, plan.unit)} {plan.unit}
             </text>
             {variant.values.map((value, cell) => {
               if (value === null) return null;
@@ -132,7 +133,7 @@ export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, c
               variant.values.map((value, cell) =>
                 value === null ? null : (
                   <text key={cell} class="cellNumber" fill={isDifference || share(value) > 0.55 ? "#10151b" : "#ffffff"} x={(x[cell % x.length] - lowX) * scale} y={(highY - y[Math.floor(cell / x.length)]) * scale} text-anchor="middle" dominant-baseline="central">
-                    {said(value, Math.abs(value) >= 10 ? "lx" : plan.unit)}
+                    {written(value, Math.abs(value) >= 10 ? "lx" : plan.unit)}
                   </text>
                 ),
               )}
@@ -161,7 +162,7 @@ export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, c
         ))}
         {bar.map((tick) => (
           <text key={tick} class="small" x={20} y={barHigh * (1 - share(tick))} dominant-baseline="central">
-            {said(tick, plan.unit === "%" && plan.high > 10 ? "lx" : plan.unit)}
+            {written(tick, plan.unit === "%" && plan.high > 10 ? "lx" : plan.unit)}
           </text>
         ))}
         {plan.level !== null && plan.level > plan.low && plan.level < plan.high && (

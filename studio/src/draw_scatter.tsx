@@ -2,7 +2,8 @@
 
 import { categoryOf, dashOf, markOf } from "./colours";
 import { fit } from "./draw_plan";
-import { said, ticks } from "./ticks";
+import { ticks } from "./ticks";
+import { written } from "./written";
 
 export interface Mark {
   x: number;
@@ -61,11 +62,11 @@ export function DrawScatter({ series, words, label, xLabel, yLabel, front = [], 
         <g key={tick}>
           <path class="hair" d={`M${LEFT} ${py(tick)}H${WIDE - RIGHT}`} />
           <text class="small" x={LEFT - 7} y={py(tick)} text-anchor="end" dominant-baseline="central">
-            {said(tick)}
+            {written(tick)}
           </text>
         </g>
       ))}
-      {(words ?? ticks(lowX, highX, 8).map((tick): [number, string] => [tick, said(tick)])).map(([tick, text]) => (
+      {(words ?? ticks(lowX, highX, 8).map((tick): [number, string] => [tick, written(tick)])).map(([tick, text]) => (
         <g key={tick}>
           <path class="hair" d={`M${px(tick)} ${top}V${HIGH - FOOT}`} />
           <text class="small" x={px(tick)} y={HIGH - FOOT + 17} text-anchor="middle">

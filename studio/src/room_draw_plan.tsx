@@ -5,7 +5,8 @@ import { cividis } from "./colours";
 import { contour, squaresAt } from "./contours";
 import type { Plane } from "./room_answers";
 import { beside, type Flat } from "./room_flat";
-import { type Scale, share, ticks, written } from "./room_scale";
+import { type Scale, share, ticks } from "./room_scale";
+import { written } from "./written";
 
 interface Props {
   plane: Plane;

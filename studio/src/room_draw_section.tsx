@@ -1,7 +1,8 @@
 // Values along a line from the window into the room, with their standard errors and the band of each row.
 
 import type { Along } from "./room_flat";
-import { type Scale, share, ticks, unsure, written } from "./room_scale";
+import { type Scale, share, ticks } from "./room_scale";
+import { unsure, written } from "./written";
 
 interface Props {
   line: Along;

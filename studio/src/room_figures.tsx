@@ -7,10 +7,11 @@ import { DrawPlan } from "./room_draw_plan";
 import { DrawDepth } from "./room_draw_section";
 import { along, flatten } from "./room_flat";
 import type { Told } from "./room_numbers";
-import { type Scale, scaleOf, unsure, written } from "./room_scale";
+import { type Scale, scaleOf } from "./room_scale";
 import type { RoomState } from "./room_state";
 import { Figure } from "./save";
 import { room as said } from "./words/room";
+import { unsure, written } from "./written";
 
 interface Props {
   room: RoomState;

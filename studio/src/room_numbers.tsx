@@ -4,9 +4,9 @@ import type { Fault } from "./ask";
 import type { Doing } from "./follow";
 import { Faults } from "./inputs";
 import type { RoomLight, RoomWork } from "./room_answers";
-import { unsure, written } from "./room_scale";
 import { words } from "./words";
 import { room as said } from "./words/room";
+import { unsure, written } from "./written";
 
 export interface Told {
   values: number[];

@@ -2,7 +2,8 @@
 
 import { cividis } from "./colours";
 import { type Look, pathColour } from "./room_colours";
-import { type Scale, share, ticks, written } from "./room_scale";
+import { type Scale, share, ticks } from "./room_scale";
+import { written } from "./written";
 
 export interface Caption {
   title: string;

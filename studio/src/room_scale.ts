@@ -1,6 +1,6 @@
 // A scale of values: its range, its ticks, and where a value stands in it.
 
-import { ticks as linear } from "./ticks";
+import { logTicks, ticks as linear } from "./ticks";
 
 export interface Scale {
   low: number;
@@ -33,37 +33,6 @@ export function share(scale: Scale, value: number): number {
   return Math.min(1, Math.max(0, (value - scale.low) / (scale.high - scale.low)));
 }
 
-export function ticks(scale: Scale, about = 5): number[] {
-  if (!scale.isLog) return linear(scale.low, scale.high, about);
-  const found: number[] = [];
-  const decades = Math.log10(scale.high / scale.low);
-  for (const steps of [[1, 2, 3, 5], [1, 2, 5], [1, 3], [1]]) {
-    found.length = 0;
-    for (let power = Math.floor(Math.log10(scale.low)); power <= Math.ceil(Math.log10(scale.high)); power++)
-      for (const one of steps) {
-        const value = Number((one * 10 ** power).toPrecision(6));
-        if (value >= scale.low * (1 - 1e-9) && value <= scale.high * (1 + 1e-9)) found.push(value);
-      }
-    if (found.length <= Math.max(about + 2, decades)) break;
-  }
-  return found;
-}
-
-/** A value and its standard error, both to the digits that the error leaves. */
-export function unsure(value: number, error: number | null | undefined): { value: string; error: string } {
-  if (!error || !Number.isFinite(error)) return { value: written(value), error: "" };
-  const digits = Math.min(6, Math.max(0, -Math.floor(Math.log10(error) - Math.log10(2))));
-  const put = (one: number) => grouped(one.toFixed(digits), one);
-  return { value: put(value), error: put(error) };
-}
-
-const grouped = (text: string, value: number) => (Math.abs(value) >= 10_000 ? text.replace(/\B(?=(\d{3})+$)/g, "\u202f") : text);
-
-/** As people write it: three figures, no dust. */
-export function written(value: number): string {
-  if (!Number.isFinite(value)) return "–";
-  if (value !== 0 && Math.abs(value) < 0.005) return value.toExponential(1);
-  const digits = Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : Math.abs(value) >= 1 ? 2 : 3;
-  const text = value.toLocaleString("en", { maximumFractionDigits: digits, useGrouping: false });
-  return grouped(text, value);
+export function ticks({ low, high, isLog }: Scale, about = 5): number[] {
+  return isLog ? logTicks(low, high, about) : linear(low, high, about);
 }

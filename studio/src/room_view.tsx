@@ -15,7 +15,7 @@ import { RoomLegend } from "./room_legend";
 import { RoomNumbers, RoomProgress } from "./room_numbers";
 import { captioned } from "./room_picture";
 import { useRoom } from "./room_questions";
-import { scaleOf, unsure, written } from "./room_scale";
+import { scaleOf } from "./room_scale";
 import { ShowControls, SkyControls } from "./room_show";
 import type { Met } from "./room_stage";
 import type { RoomState } from "./room_state";
@@ -26,6 +26,7 @@ import { change, type State } from "./state";
 import { words } from "./words";
 import { room as said } from "./words/room";
 import { ColourBar } from "./room_draw_plan";
+import { unsure, written } from "./written";
 
 const SPOT: Eye = { turn: 120, tilt: 24, far: 20, at: [2, 4, 1.5], isFlat: false };
 const put = (values: Partial<RoomState>) => change("room", values);

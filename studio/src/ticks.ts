@@ -1,4 +1,4 @@
-// Round numbers for axes, and numbers as they are read.
+// Round numbers for axes.
 
 /** Round numbers from low to high, about as many as asked for. */
 export function ticks(low: number, high: number, about = 5): number[] {
@@ -12,29 +12,18 @@ export function ticks(low: number, high: number, about = 5): number[] {
   return Array.from({ length: Math.max(count, 0) }, (_, k) => Number(((first + k) * step).toPrecision(12)));
 }
 
-/** The same on a logarithmic scale: 1, 2, 5, 10 … or, over many decades, 1, 10, 100 … */
-export function logTicks(low: number, high: number): number[] {
-  const decades = Math.log10(high / low);
-  const steps = decades > 3.2 ? [1] : decades > 1.6 ? [1, 3] : [1, 2, 5];
-  const found: number[] = [];
-  for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); power++)
-    for (const step of steps) found.push(Number((step * 10 ** power).toPrecision(6)));
-  return found.filter((one) => one >= low * 0.999 && one <= high * 1.001);
-}
-
-const DIGITS: Record<string, number> = { "%": 1, lx: 0, h: 0, "lx h": 0, m: 2, "°": 1 };
-
-/** A number as it is read, with thin spaces between thousands. */
-export function said(value: number | null | undefined, unit = ""): string {
-  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
-  const digits = DIGITS[unit];
-  const size = Math.abs(value);
-  const most = digits === undefined || (size < 10 && size > 0 && digits < 2) ? Math.min(unit === "%" ? 2 : 6, Math.max(0, 2 - Math.floor(Math.log10(size || 1)))) : digits;
-  return value.toLocaleString("en", { maximumFractionDigits: most, useGrouping: size >= 10_000 }).replace(/,/g, "\u202f").replace(/^-/, "−");
-}
-
-/** With its unit, and its standard error where it is known. */
-export function saidWith(value: number | null | undefined, unit: string, error?: number | null): string {
-  const unsure = error !== null && error !== undefined && error > 0 && value !== null ? ` ± ${said(error, unit)}` : "";
-  return `${said(value, unit)}${unsure}${unit && value !== null ? `\u00a0${unit}` : ""}`;
+/** The same on a logarithmic scale, as many of 1, 2, 3, 5, 10 … as are about as many as asked for, or powers of ten alone. */
+export function logTicks(low: number, high: number, about = 5): number[] {
+  const most = Math.max(about + 2, Math.log10(high / low));
+  let found: number[] = [];
+  for (const steps of [[1, 2, 3, 5], [1, 2, 5], [1, 3], [1]]) {
+    found = [];
+    for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); power++)
+      for (const step of steps) {
+        const value = Number((step * 10 ** power).toPrecision(6));
+        if (value >= low * (1 - 1e-9) && value <= high * (1 + 1e-9)) found.push(value);
+      }
+    if (found.length <= most) break;
+  }
+  return found;
 }

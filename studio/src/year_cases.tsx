@@ -6,10 +6,10 @@ import { useAnswer } from "./follow";
 import { ChoiceInput, Faults } from "./inputs";
 import { Figure } from "./save";
 import { change, type State } from "./state";
-import { said } from "./ticks";
 import type { Cases, Column, ResultTold } from "./year_answers";
 import { quoted } from "./year_figures";
 import { year as words } from "./words/year";
+import { written } from "./written";
 
 const MOST_ROWS = 400;
 const MOST_SERIES = 12;
@@ -82,7 +82,7 @@ export function YearCases({ told, look }: { told: ResultTold; look: State["year"
           <p class="hint">{words.nothingToDraw}</p>
         )}
         <p class="readout" role="status">
-          {cursor >= 0 ? cases.columns.filter((one) => one.values[cursor] !== null && one.values[cursor] !== "").map((one) => `${one.label} ${typeof one.values[cursor] === "number" ? said(one.values[cursor] as number) : one.values[cursor]}${one.unit && typeof one.values[cursor] === "number" ? ` ${one.unit}` : ""}`).slice(0, 9).join(" · ") : words.rowsOf(cases.rows, cases.rows_in_all)}
+          {cursor >= 0 ? cases.columns.filter((one) => one.values[cursor] !== null && one.values[cursor] !== "").map((one) => `${one.label} ${typeof one.values[cursor] === "number" ? written(one.values[cursor] as number) : one.values[cursor]}${one.unit && typeof one.values[cursor] === "number" ? ` ${one.unit}` : ""}`).slice(0, 9).join(" · ") : words.rowsOf(cases.rows, cases.rows_in_all)}
         </p>
       </Figure>
       <Figure name="table" title={words.casesTitle[told.kind] ?? words.table} table={csvTable} noPicture>
@@ -102,7 +102,7 @@ export function YearCases({ told, look }: { told: ResultTold; look: State["year"
                 <tr key={row} class={[row === cursor ? "at" : "", cases.front?.includes(row) ? "onFront" : "", row === cases.best ? "best" : ""].join(" ").trim()} onMouseEnter={() => setCursor(row)}>
                   {cases.columns.map((one) => {
                     const value = one.values[row];
-                    return <td key={one.name}>{typeof value === "number" ? said(value) : value}</td>;
+                    return <td key={one.name}>{typeof value === "number" ? written(value) : value}</td>;
                   })}
                 </tr>
               ))}
@@ -115,4 +115,4 @@ export function YearCases({ told, look }: { told: ResultTold; look: State["year"
   );
 }
 
-const said1 = (text: string): string => (text !== "" && Number.isFinite(Number(text)) ? said(Number(text)) : text);
+const said1 = (text: string): string => (text !== "" && Number.isFinite(Number(text)) ? written(Number(text)) : text);

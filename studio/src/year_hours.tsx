@@ -9,11 +9,11 @@ import { useAnswer } from "./follow";
 import { ChoiceInput, Faults } from "./inputs";
 import { Figure } from "./save";
 import { change, type State } from "./state";
-import { saidWith } from "./ticks";
 import type { Carpet, HourPlan, Months, Numbers, ResultTold } from "./year_answers";
 import { quoted } from "./year_figures";
 import { planTable, readout } from "./year_plans";
 import { year as words } from "./words/year";
+import { writtenWith } from "./written";
 
 interface Props {
   told: ResultTold;
@@ -177,7 +177,7 @@ function saidOf(carpet: Carpet, [day, row]: [number, number]): string {
   const place = row * carpet.days.length + day;
   const clock = (hour: number) => `${String(Math.floor(hour)).padStart(2, "0")}:${String(Math.round((hour % 1) * 60)).padStart(2, "0")}`;
   const values = carpet.variants.map((one) => {
-    const light = one.values[place] === 0 ? words.night : saidWith(one.values[place], "lx");
+    const light = one.values[place] === 0 ? words.night : writtenWith(one.values[place], "lx");
     return `${one.label}: ${light}${one.blinds?.[place] ? ` (${words.blindsClosed})` : ""}`;
   });
   const use = carpet.in_use[place] ? words.inUse : words.notInUse;

@@ -8,10 +8,10 @@ import { useAnswer } from "./follow";
 import { ChoiceInput, Faults } from "./inputs";
 import { Figure } from "./save";
 import { change, type State } from "./state";
-import { said, saidWith } from "./ticks";
 import type { Plan, ResultTold, SectionCurves } from "./year_answers";
 import { quoted } from "./year_figures";
 import { year as words } from "./words/year";
+import { written, writtenWith } from "./written";
 
 export function YearPlans({ told, shown, look }: { told: ResultTold; shown: number[]; look: State["year"] }) {
   const [cursor, setCursor] = useState(-1);
@@ -63,13 +63,13 @@ export function YearPlans({ told, shown, look }: { told: ResultTold; shown: numb
           <Figure
             name={`plan-${metric.replace(/[^\w]+/g, "-")}`}
             title={named}
-            hint={`${isDifference ? words.differenceHint : told.has_hours ? words.plansHint : words.plansHintRoom}${!isDifference && plan.level !== null ? ` ${words.contour(saidWith(plan.level, unit))}` : ""}`}
+            hint={`${isDifference ? words.differenceHint : told.has_hours ? words.plansHint : words.plansHintRoom}${!isDifference && plan.level !== null ? ` ${words.contour(writtenWith(plan.level, unit))}` : ""}`}
             table={() => planTable(plan)}
           >
             <div class={answer.isStale ? "stale" : ""}>
               <DrawPlans
                 plan={plan}
-                label={`${named}. ${told.has_hours ? words.plansHint : words.plansHintRoom} ${plan.variants.map((one) => `${one.label}: ${words.ends} ${said(one.least, unit)}, ${said(one.mean, unit)}, ${said(one.most, unit)} ${unit}`).join("; ")}`}
+                label={`${named}. ${told.has_hours ? words.plansHint : words.plansHintRoom} ${plan.variants.map((one) => `${one.label}: ${words.ends} ${written(one.least, unit)}, ${written(one.mean, unit)}, ${written(one.most, unit)} ${unit}`).join("; ")}`}
                 scaleLabel={unit || "–"}
                 windowWord={words.window}
                 isDifference={isDifference}
@@ -110,7 +110,7 @@ export function YearPlans({ told, shown, look }: { told: ResultTold; shown: numb
 
 export function readout(plan: Plan, cell: number): string {
   const [x, y] = [plan.x[cell % plan.x.length], plan.y[Math.floor(cell / plan.x.length)]];
-  const values = plan.variants.map((one) => `${one.label}: ${saidWith(one.values[cell], plan.unit, one.errors?.[cell])}`);
+  const values = plan.variants.map((one) => `${one.label}: ${writtenWith(one.values[cell], plan.unit, one.errors?.[cell])}`);
   return `${words.place(x.toFixed(2), y.toFixed(2))} · ${values.join(" · ")}`;
 }
 
