@@ -2,6 +2,7 @@
 
 import { useMemo, useRef } from "preact/hooks";
 import { cividis } from "./colours";
+import { pointed } from "./pointed";
 import { written } from "./written";
 import type { Carpet, Numbers } from "./year_answers";
 
@@ -33,9 +34,8 @@ export function DrawCarpet({ carpet, label, months, hourWord, onlyUse, isDark, c
   const x = (day: number) => LEFT + (day / days) * inner;
   const y = (number: number, hour: number) => number * block + TOP + EACH * (1 - hour / 24);
   const cellAt = (event: MouseEvent): [number, number] | null => {
-    const matrix = drawing.current?.getScreenCTM();
-    if (!matrix) return null;
-    const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    const point = pointed(drawing.current, event);
+    if (!point) return null;
     const day = Math.floor(((point.x - LEFT) / inner) * days);
     const number = Math.floor(point.y / block);
     const hour = 24 * (1 - (point.y - number * block - TOP) / EACH);

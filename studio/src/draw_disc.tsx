@@ -3,6 +3,7 @@
 import { useRef, useState } from "preact/hooks";
 import type { Point } from "./answers";
 import { cividis } from "./colours";
+import { pointed } from "./pointed";
 
 interface Props {
   title: string;
@@ -30,10 +31,8 @@ export function DrawDisc({ title, label, cells, values, isLogarithmic, least, mo
   const isLit = values.some((value) => value > 0);
   const [cursor, setCursor] = useState<Point | null>(null);
   const placed = (event: MouseEvent): Point | null => {
-    const matrix = drawing.current?.getScreenCTM();
-    if (!matrix) return null;
-    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
-    return Math.hypot(at.x, at.y) < 90 ? [at.x, -at.y] : null;
+    const at = pointed(drawing.current, event);
+    return at && Math.hypot(at.x, at.y) < 90 ? [at.x, -at.y] : null;
   };
   const pick = (event: MouseEvent) => {
     const at = placed(event);

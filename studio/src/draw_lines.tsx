@@ -5,6 +5,7 @@ import { fit } from "./draw_plan";
 import { logTicks, ticks } from "./ticks";
 import type { Numbers } from "./year_answers";
 import { categoryOf, dashOf, markOf } from "./colours";
+import { pointed } from "./pointed";
 import { written } from "./written";
 
 export interface Line {
@@ -66,9 +67,8 @@ export function DrawLines({ x, lines, label, xLabel, yLabel, unit, level = null,
     return there.length ? `M${there.map(point(line.low)).join("L")}L${[...there].reverse().map(point(line.high)).join("L")}Z` : "";
   };
   const pick = (event: MouseEvent) => {
-    const matrix = drawing.current?.getScreenCTM();
-    if (!matrix || !onPick) return;
-    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    const at = pointed(drawing.current, event);
+    if (!at || !onPick) return;
     let best = 0;
     x.forEach((value, k) => {
       if (Math.abs(px(value) - at.x) < Math.abs(px(x[best]) - at.x)) best = k;

@@ -4,6 +4,7 @@ import { useRef } from "preact/hooks";
 import type { Point } from "./answers";
 import { cividis, ofDifference } from "./colours";
 import { contour, squaresOf } from "./contours";
+import { pointed } from "./pointed";
 import { logTicks, ticks } from "./ticks";
 import { written } from "./written";
 import type { Plan } from "./year_answers";
@@ -51,9 +52,8 @@ export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, c
   const at = (a: number, b: number) => `${((a - lowX) * scale).toFixed(1)} ${((highY - b) * scale).toFixed(1)}`;
   const squares = squaresOf(x.length, y.length);
   const cellAt = (event: MouseEvent): number => {
-    const matrix = drawing.current?.getScreenCTM();
-    if (!matrix) return -1;
-    const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    const point = pointed(drawing.current, event);
+    if (!point) return -1;
     for (let number = 0; number < count; number++) {
       const [ox, oy] = origin(number);
       const [a, b] = [lowX + (point.x - ox) / scale, highY - (point.y - oy) / scale];

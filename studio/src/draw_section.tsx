@@ -3,6 +3,7 @@
 import { useRef } from "preact/hooks";
 import type { Point, Section, Strip } from "./answers";
 import { ofBeam } from "./colours";
+import { pointed } from "./pointed";
 
 interface Props {
   section: Section | null;
@@ -40,13 +41,10 @@ export function DrawSection({ section, elevation, azimuth, side, isDark, isStale
   const clip = `clip-${Math.round(section.pitch_mm * 1e4)}-${Math.round(section.back_mm * 1e4)}`;
 
   const drag = (event: PointerEvent) => {
-    const svg = drawing.current;
-    if (!svg || (event.type === "pointermove" && !(event.buttons & 1))) return;
-    const box = svg.getBoundingClientRect();
-    const factor = Math.min(box.width / WIDE, box.height / HIGH);
-    const x = (event.clientX - box.left - (box.width - WIDE * factor) / 2) / factor;
-    const y = (event.clientY - box.top - (box.height - HIGH * factor) / 2) / factor;
-    onSun(fromSection((Math.atan2(meets[1] - y, Math.max(way * (meets[0] - x), 1)) * 180) / Math.PI, azimuth));
+    if (event.type === "pointermove" && !(event.buttons & 1)) return;
+    const at = pointed(drawing.current, event);
+    if (!at) return;
+    onSun(fromSection(Math.atan2(meets[1] - at.y, Math.max(way * (meets[0] - at.x), 1)) / RAD, azimuth));
     (event.currentTarget as Element).setPointerCapture(event.pointerId);
   };
   const key = (event: KeyboardEvent) => {

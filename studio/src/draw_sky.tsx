@@ -2,6 +2,7 @@
 
 import { useRef } from "preact/hooks";
 import type { Point } from "./answers";
+import { pointed } from "./pointed";
 
 interface Props {
   elevation: number;
@@ -39,9 +40,8 @@ export function DrawSky({ elevation, azimuth, side, label, text, up, right, onSu
   const sun = placeOf(elevation, azimuth);
   const move = (event: PointerEvent) => {
     if (event.type === "pointermove" && !(event.buttons & 1)) return;
-    const matrix = drawing.current?.getScreenCTM();
-    if (!matrix) return;
-    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    const at = pointed(drawing.current, event);
+    if (!at) return;
     const [e, a] = sunOf([at.x, -at.y]);
     onSun(half(e), half(a));
     (event.currentTarget as Element).setPointerCapture(event.pointerId);

@@ -37,12 +37,18 @@ export function SliderInput({ id, label, value, low, high, step, unit, faults = 
       </span>
       <input id={id} type="range" min={low} max={high} step={step} value={value} aria-valuetext={`${value} ${unit}`} onInput={take} />
       <Help id={id} text={help} />
-      {wrong.length > 0 && (
-        <p class="fault" id={`${id}-wrong`} role="alert">
-          {wrong.map((fault) => fault.message).join("; ")}
-        </p>
-      )}
+      <FieldFault id={id} faults={wrong} />
     </div>
+  );
+}
+
+/** What is wrong with an input. */
+export function FieldFault({ id, faults }: { id: string; faults: Fault[] }) {
+  if (!faults.length) return null;
+  return (
+    <p class="fault" id={`${id}-wrong`} role="alert">
+      {faults.map((fault) => fault.message).join("; ")}
+    </p>
   );
 }
 

@@ -3,7 +3,7 @@
 import { useEffect, useState } from "preact/hooks";
 import type { Slider } from "./answers";
 import type { Fault } from "./ask";
-import { Help, SliderInput } from "./inputs";
+import { FieldFault, Help, SliderInput } from "./inputs";
 import type { Value } from "./state";
 import { panel as said } from "./words/panel";
 
@@ -128,14 +128,5 @@ export function TextInput({ id, field, label, value, rows, help, faults, onChang
       <Help id={id} text={help} />
       <FieldFault id={id} faults={wrong} />
     </div>
-  );
-}
-
-function FieldFault({ id, faults }: { id: string; faults: Fault[] }) {
-  if (!faults.length) return null;
-  return (
-    <p class="fault" id={`${id}-wrong`} role="alert">
-      {faults.map((fault) => fault.message).join("; ")}
-    </p>
   );
 }
