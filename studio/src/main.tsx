@@ -3,20 +3,20 @@
 import { Fragment, render } from "preact";
 import type { FunctionComponent } from "preact";
 import { useEffect, useState } from "preact/hooks";
-import { BsdfView } from "./bsdf_view";
-import { useIsDark, useStudio, useTimesBack } from "./follow";
-import { Header } from "./header";
-import { PanelView } from "./panel_view";
-import type { State } from "./state";
+import { BsdfView } from "./bsdf/view";
+import { PanelView } from "./panel/view";
+import { useIsDark, useStudio, useTimesBack } from "./server/follow";
+import { Header } from "./shell/header";
+import type { State } from "./state/state";
 import "./style.css";
-import { words } from "./words";
+import { words } from "./words/page";
 
 const VIEWS = ["panel", "room", "year", "bsdf"];
 
 /** Views that are large come when they are opened. */
 const LATER: Record<string, () => Promise<FunctionComponent<{ state: State; isDark: boolean }>>> = {
-  room: async () => (await import("./room_view")).RoomView,
-  year: async () => (await import("./year_view")).YearView,
+  room: async () => (await import("./room/view")).RoomView,
+  year: async () => (await import("./year/view")).YearView,
 };
 
 function Later({ name, state, isDark }: { name: string; state: State; isDark: boolean }) {

@@ -4,7 +4,7 @@ import { createRequire } from "node:module";
 
 const studio = process.argv[2];
 const { transformSync } = createRequire(`${studio}/package.json`)("esbuild");
-const { code } = transformSync(readFileSync(`${studio}/src/state_text.ts`, "utf8"), { loader: "ts", format: "esm" });
+const { code } = transformSync(readFileSync(`${studio}/src/state/state_text.ts`, "utf8"), { loader: "ts", format: "esm" });
 const { hashOf, stateOf, stateOfHash } = await import(`data:text/javascript,${encodeURIComponent(code)}`);
 const asked = JSON.parse(readFileSync(0, "utf8"));
 const { shape } = asked;
