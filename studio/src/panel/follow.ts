@@ -1,6 +1,6 @@
 // A panel's answers: at once while something is dragged, sharper once it rests, refined by a job where only rays can.
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Discs, Dispersion, KlemsTold, Lobes, Section, Table, Walked } from "../server/answers";
 import { Channel, type Fault } from "../server/ask";
 import { type Answer, type Doing, useAnswer, useJob } from "../server/follow";
@@ -42,7 +42,7 @@ function useSharpened(asked: Record<string, unknown> | null): Answer<Lobes> & { 
   const newest = useRef("");
   const timer = useRef(0);
   const text = asked === null ? "" : JSON.stringify(asked);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const wrong = (fault: { faults?: Fault[] }) => setFound((old) => ({ ...old, faults: fault.faults ?? [], isStale: true }));
     const isNewest = (body: unknown) => (body as { asked: string }).asked === newest.current;
     const full = new Channel<Lobes>((value, body) => isNewest(strip(body)) && setFound({ value, faults: [], isStale: false, isCoarse: false }), wrong);
@@ -60,7 +60,7 @@ function useSharpened(asked: Record<string, unknown> | null): Answer<Lobes> & { 
       clearTimeout(timer.current);
     };
   }, []);
-  useEffect(() => {
+  useLayoutEffect(() => {
     newest.current = text;
     clearTimeout(timer.current);
     if (text) channels.current?.quick.put("/api/panel/lobes", { ...(JSON.parse(text) as object), detail: "quick", most: MOST_LOBES });

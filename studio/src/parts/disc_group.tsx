@@ -1,5 +1,6 @@
 // The discs of a BSDF at one incidence: where the light comes from, and where it leaves.
 
+import { useMemo } from "preact/hooks";
 import { DrawDisc } from "../draw/disc";
 import { sunOf } from "../draw/sky";
 import type { Discs, Point } from "../server/answers";
@@ -17,6 +18,11 @@ interface Props {
 }
 
 export function DiscGroup({ discs, isLogarithmic, onSun }: Props) {
+  // hundreds of patches, and a drag draws the view several times for each of its answers
+  return useMemo(() => <Group discs={discs} isLogarithmic={isLogarithmic} onSun={onSun} />, [discs, isLogarithmic, onSun]);
+}
+
+function Group({ discs, isLogarithmic, onSun }: Props) {
   const { incident, outgoing, point, picked } = discs;
   const most = Math.max(...outgoing.flatMap((one) => one.values), 1e-9);
   // light that travels along a point of a disc comes from the opposite one

@@ -1,6 +1,6 @@
 // Views follow the state, answers and jobs.
 
-import { useEffect, useReducer, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useReducer, useRef, useState } from "preact/hooks";
 import { current, follow, type State } from "../state/state";
 import { ask, back, Channel, type Fault, type JobState, Refused, Work } from "./ask";
 import { orphan } from "./job_list";
@@ -29,7 +29,7 @@ export function useAnswer<T>(path: string, body: unknown, again?: unknown): Answ
   const [answer, setAnswer] = useState<Answer<T>>({ value: null, faults: [], isStale: true });
   const channel = useRef<Channel<T> | null>(null);
   const text = body === null ? "" : JSON.stringify(body);
-  useEffect(() => {
+  useLayoutEffect(() => {
     const made = new Channel<T>(
       (value) => setAnswer({ value, faults: [], isStale: false }),
       (fault) => setAnswer((old) => ({ value: old.value, faults: fault.faults ?? [], isStale: true })),
@@ -37,7 +37,8 @@ export function useAnswer<T>(path: string, body: unknown, again?: unknown): Answ
     channel.current = made;
     return () => made.close();
   }, []);
-  useEffect(() => {
+  // before the frame that shows the change, not after it
+  useLayoutEffect(() => {
     if (text) channel.current?.put(path, JSON.parse(text));
     else setAnswer({ value: null, faults: [], isStale: false });
   }, [path, text, again]);
