@@ -269,6 +269,7 @@ def bench():
     do(PYTHON, os.path.join("benches", "peers", "year_race.py"))
     do(PYTHON, os.path.join("benches", "sweep", "scaling.py"))
     do(PYTHON, os.path.join("benches", "studio", "dragging.py"))
+    do(PYTHON, os.path.join("benches", "studio", "drag_to_picture.py"))
 
 
 def wheel():
