@@ -203,7 +203,7 @@ def test_the_sun_is_dragged_along_its_day_and_moved_by_keys(tab: Any, studio: st
 
 
 def test_work_refines_while_one_looks_stops_and_goes_on(tab: Any, studio: str) -> None:
-    opened(tab, studio, COARSE.replace("0.05", "0.004"))
+    opened(tab, studio, COARSE.replace("0.05", "0.0005"))
     tab.evaluate(
         """() => {
             const place = document.querySelector(".roomProgress");
