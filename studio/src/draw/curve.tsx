@@ -22,7 +22,7 @@ export function DrawCurve({ curves, elevation, axis, label }: { curves: Curve[];
       ))}
       <Here axes={axes} elevation={elevation} />
       {drawn.map((curve, k) => (
-        <LineKey key={curve.key} x={axes.left + (k % 2) * 250} y={12 + 18 * Math.floor(k / 2)} length={22} stroke={curve.stroke} dash={curve.dash} text={curve.name ? `${curve.word}, ${curve.name}` : curve.word} />
+        <LineKey key={curve.key} x={axes.left + 10 + (k % 2) * 250} y={12 + 18 * Math.floor(k / 2)} length={22} stroke={curve.stroke} dash={curve.dash} text={curve.name ? `${curve.word}, ${curve.name}` : curve.word} />
       ))}
     </svg>
   );

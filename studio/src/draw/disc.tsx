@@ -5,6 +5,9 @@ import type { Point } from "../server/answers";
 import { cividis } from "./colours";
 import { pointed } from "./pointed";
 
+/** Of a title; a longer one is made narrower. */
+const MOST_LETTERS = 34;
+
 interface Props {
   title: string;
   label: string;
@@ -68,7 +71,7 @@ export function DrawDisc({ title, label, cells, values, isLogarithmic, least, mo
       onPointerLeave={() => setCursor(null)}
       onKeyDown={onPick || reads ? key : undefined}
     >
-      <text class="discTitle" x={0} y={-108} text-anchor="middle">
+      <text class="discTitle" x={0} y={-108} text-anchor="middle" textLength={title.length > MOST_LETTERS ? 200 : undefined} lengthAdjust="spacingAndGlyphs">
         {title}
       </text>
       <circle class="rim" r={90} />

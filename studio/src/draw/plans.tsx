@@ -132,7 +132,7 @@ export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, c
             {numbers &&
               variant.values.map((value, cell) =>
                 value === null ? null : (
-                  <text key={cell} class="cellNumber" fill={isDifference || share(value) > 0.55 ? "#10151b" : "#ffffff"} x={(x[cell % x.length] - lowX) * scale} y={(highY - y[Math.floor(cell / x.length)]) * scale} text-anchor="middle" dominant-baseline="central">
+                  <text key={cell} class="cellNumber" style={{ fill: isDifference || share(value) > 0.55 ? "#10151b" : "#ffffff" }} x={(x[cell % x.length] - lowX) * scale} y={(highY - y[Math.floor(cell / x.length)]) * scale} text-anchor="middle" dominant-baseline="central">
                     {written(value, Math.abs(value) >= 10 ? "lx" : plan.unit)}
                   </text>
                 ),

@@ -89,7 +89,7 @@ export const year = {
   bestCase: "best",
   table: "Table",
   rowsOf: (shown: number, all: number) => (shown < all ? `${shown} of ${all} rows` : `${all} rows`),
-  failedCases: (count: number) => `${count} cases could not be computed; they have no figures.`,
+  failedCases: (count: number) => (count === 1 ? "1 case could not be computed; it has no figures." : `${count} cases could not be computed; they have no figures.`),
   unbeaten: (labels: string) => `Not beaten by the trials: ${labels}. More trials may find better.`,
   nothingToDraw: "There is nothing to draw of these two columns.",
   aims: { maximise: "as much as can be", minimise: "as little as can be" } as Record<string, string>,
