@@ -305,3 +305,13 @@ def sun_coefficients(
     threads: int | None = None,
     progress: Callable[[int, int, float, float], bool | None] | None = None,
 ) -> dict[str, Any]: ...
+def sun_way(
+    scene: Scene,
+    sun_direction: NDArray[float64],
+    *,
+    points: int,
+    bounces: int,
+    least_power: float,
+    beyond_m: float,
+    most_shades: int,
+) -> dict[str, dict[str, NDArray[Any]]]: ...

@@ -12,6 +12,7 @@ mod room;
 mod scene;
 mod sky;
 mod stack;
+mod sun_way;
 
 use pyo3::prelude::*;
 
@@ -24,8 +25,10 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     glazing::register(module)?;
     bsdf::register(module)?;
     stack::register(module)?;
+    sun_way::register(module)?;
     sky::register(module)?;
     scene::register(module)?;
     room::register(module)?;
+    sun_way::register(module)?;
     Ok(())
 }

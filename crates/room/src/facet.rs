@@ -1,6 +1,8 @@
 //! One flat piece of a surface, as rays meet it.
 
 use crate::outline::Outline;
+use crate::sunlit::convex::{anticlockwise, is_convex};
+use glam::DVec2;
 use hemisphere::{Direction, Vec3};
 
 /// A flat piece: where its plane is, how to tell whether a point of the plane is in it, how to draw points on it.
@@ -176,6 +178,17 @@ impl Facet {
                 let corners = self.corners();
                 (2..corners.len()).map(|i| [corners[0], corners[i - 1], corners[i]]).collect()
             }
+        }
+    }
+
+    /// Itself if it is convex, else the triangles that tile it.
+    pub fn convex_pieces(&self) -> Vec<Vec<Vec3>> {
+        let is_convex = |loops: &[Vec<[f64; 2]>]| matches!(loops, [one] if is_convex(&anticlockwise(one.iter().map(|&p| DVec2::from_array(p)).collect())));
+        match &self.shape {
+            Shape::Polygon { outline, .. } if !is_convex(&outline.loops) => {
+                self.triangles().into_iter().map(|triangle| triangle.to_vec()).collect()
+            }
+            _ => vec![self.corners()],
         }
     }
 

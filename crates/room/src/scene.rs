@@ -2,13 +2,14 @@
 
 use crate::facet::Facet;
 use crate::outline::{Outline, check_finite};
+use crate::sunlit::plane::Pieces;
 use crate::surface::{Kind, Material, Medium};
 use crate::tracer::{Hit, NO_FACET, Ray, Tracer};
 use crate::{RoomError, nesting};
 use hemisphere::{Direction, Frame, Vec3};
 use optics::Glazing;
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A named surface of a frozen scene.
 pub struct Surface {
@@ -30,6 +31,8 @@ pub struct Scene {
     pub(crate) tracer: Tracer,
     /// Area of all facets of the same surface up to and with each, for drawing points by area.
     area_to_here: Vec<f64>,
+    /// Convex pieces of the facets, once asked for.
+    pub(crate) pieces: OnceLock<Pieces>,
 }
 
 impl Scene {
@@ -207,7 +210,7 @@ impl SceneBuilder {
             let own = &mut area_to_here[surface.facets.start as usize..surface.facets.end as usize];
             (1..own.len()).for_each(|i| own[i] += own[i - 1]);
         }
-        let scene = Scene { surfaces, tracer: Tracer::new(facets), area_to_here };
+        let scene = Scene { surfaces, tracer: Tracer::new(facets), area_to_here, pieces: OnceLock::new() };
         nesting::check(&scene)?;
         Ok(scene)
     }

@@ -11,6 +11,7 @@ import numpy as np
 
 from clerestory import _native
 from clerestory.errors import ClerestoryError
+from clerestory.room.material import Material
 from clerestory.room.obstruction import Obstruction, obstruction_surfaces
 from clerestory.room.sensors import SensorGrid, Sensors
 from clerestory.room.shoebox import Shoebox
@@ -193,3 +194,9 @@ class Room:
                 raise ClerestoryError(f"glazing must name windows of the room ({', '.join(known)}), got {name!r}")
         windows = tuple(replace(window, glazing=glazing.get(window.name, window.glazing)) for window in self.windows)
         return replace(self, windows=windows)
+
+
+def materials_of(room: Room) -> dict[str, Material]:
+    """Material of each opaque thing by its name."""
+    found = {one.name: one.material for one in room.surfaces}
+    return found | {one.name: one.material for one in room.meshes}

@@ -10,8 +10,7 @@ import numpy as np
 from clerestory.errors import ClerestoryError
 from clerestory.glazing import Glazing, Open, Stack
 from clerestory.panels import Panel
-from clerestory.room.scene import Room
-from clerestory.room.surroundings import materials_of
+from clerestory.room.scene import Room, materials_of
 from clerestory.room.window import normal_of
 from clerestory.studio.room_asked import AskedRoom
 from clerestory.studio.room_planes import plane_names, told

@@ -6,13 +6,12 @@ import warnings
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
+from clerestory.room.beams import Array, sun_way
 from clerestory.room.scene import Room
 from clerestory.studio.room_numbers import whole
 from clerestory.sun import direction_of
 from clerestory.sun_coefficients import SunWarning
-from clerestory.sun_paths import sun_paths
 
 #: Digits of places: a tenth of a millimetre; and of shares.
 _DIGITS, _SHARE_DIGITS = 4, 5
@@ -25,79 +24,81 @@ def paths_of(room: Room, *, altitude_deg: float, azimuth_deg: float, density: An
     points = _POINTS if density is None else whole("density", density, 1, _MOST_POINTS)
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always", SunWarning)
-        found = sun_paths(room, altitude_deg=altitude_deg, azimuth_deg=azimuth_deg, points=points)
-    names = [str(name) for name in found["window"].values]
+        way = sun_way(room, altitude_deg=altitude_deg, azimuth_deg=azimuth_deg, points=points)
     return {
         "altitude_deg": altitude_deg,
         "azimuth_deg": azimuth_deg,
         "direction": direction_of(altitude_deg, azimuth_deg),
         "is_up": altitude_deg > 0.0,
-        "windows": [
-            {
-                "name": name,
-                "cos_incidence": float(found["cos_incidence"][k]),
-                "sunlit_share": float(found["sunlit_share"][k]),
-                "blocked_by": found["blocked_by"].values[k] or None,
-                "entering": float(found["entering"][k]),
-            }
-            for k, name in enumerate(names)
-        ],
-        "paths": _paths(found),
-        "beams": _beams(found),
-        "patches": _patches(found),
+        "windows": _windows(way.windows),
+        "paths": _paths(way.paths),
+        "beams": _beams(way.beams),
+        "patches": _patches(way.patches),
         "warnings": [str(one.message) for one in told if issubclass(one.category, SunWarning)],
     }
 
 
-def _paths(found: xr.Dataset) -> list[dict[str, Any]]:
-    position, power = found["position_m"].values.round(_DIGITS), found["power"].values.round(_SHARE_DIGITS)
-    window, kind = found["path_window"].values, found["path_kind"].values
-    event, surface = found["event"].values, found["surface"].values
+def _windows(windows: dict[str, Array]) -> list[dict[str, Any]]:
+    blocked = [name or None for name in windows["blocked_by"].tolist()]
+    numbers = (windows[name].tolist() for name in ("cos_incidence", "sunlit_share", "entering"))
     return [
-        {
-            "window": window[k],
-            "kind": kind[k],
-            "power": float(power[k, count - 1]),
-            "points": position[k, :count],
-            "stages": event[k, :count].tolist(),
-            "surfaces": surface[k, :count].tolist(),
-            "segment_power": power[k, 1:count],
-        }
-        for k, count in enumerate(found["vertices"].values)
+        {"name": name, "cos_incidence": cos, "sunlit_share": share, "blocked_by": by, "entering": entering}
+        for name, by, cos, share, entering in zip(windows["name"].tolist(), blocked, *numbers, strict=True)
     ]
 
 
-def _beams(found: xr.Dataset) -> list[dict[str, Any]]:
-    source, window, kind = (found[f"beam_{name}"].values for name in ("source", "window", "kind"))
-    power, strength = found["beam_power"].values, found["beam_strength"].values
-    direction, turned = found["beam_direction"].values, found["beam_total_reflections"].values
+def _paths(paths: dict[str, Array]) -> list[dict[str, Any]]:
+    points, power = paths["position"].round(_DIGITS).tolist(), paths["power"].round(_SHARE_DIGITS).tolist()
+    stages, surfaces = paths["event"].tolist(), paths["surface"].tolist()
     return [
         {
-            "source": source[k],
-            "window": window[k],
-            "kind": kind[k],
-            "power": float(power[k]),
-            "illuminance_per_normal": float(strength[k]),
-            "direction": direction[k].round(6),
-            "total_reflections": int(turned[k]),
+            "window": window,
+            "kind": kind,
+            "power": power[end - 1],
+            "points": points[first:end],
+            "stages": stages[first:end],
+            "surfaces": surfaces[first:end],
+            "segment_power": power[first + 1 : end],
         }
-        for k in range(len(power))
+        for window, kind, (first, end) in zip(
+            paths["window"].tolist(), paths["kind"].tolist(), _ranges(paths["vertices"]), strict=True
+        )
     ]
 
 
-def _patches(found: xr.Dataset) -> list[dict[str, Any]]:
-    corner, source = found["patch_corner_m"].values, found["patch_source_m"].values
-    surface, beam = found["patch_surface"].values, found["patch_beam"].values
-    area, strength = found["patch_area_m2"].values, found["patch_strength"].values
-    counts = (~np.isnan(corner[..., 0])).sum(axis=1)
+def _beams(beams: dict[str, Array]) -> list[dict[str, Any]]:
+    columns = {
+        "source": beams["source"],
+        "window": beams["window"],
+        "kind": beams["kind"],
+        "power": beams["power"],
+        "illuminance_per_normal": beams["strength"],
+        "direction": beams["direction"].round(6),
+        "total_reflections": beams["total_reflections"],
+    }
+    return _records(columns)
+
+
+def _patches(patches: dict[str, Array]) -> list[dict[str, Any]]:
+    corner, source = patches["corner"].round(_DIGITS).tolist(), patches["source"].round(_DIGITS).tolist()
+    columns = {
+        "surface": patches["surface"],
+        "beam": patches["beam"],
+        "area_m2": patches["area"],
+        "illuminance_per_normal": patches["strength"],
+    }
     return [
-        {
-            "surface": surface[k],
-            "beam": int(beam[k]),
-            "polygon": corner[k, :count].round(_DIGITS),
-            "source": source[k, :count].round(_DIGITS),
-            "area_m2": float(area[k]),
-            "illuminance_per_normal": float(strength[k]),
-        }
-        for k, count in enumerate(counts)
+        {**one, "polygon": corner[first:end], "source": source[first:end]}
+        for one, (first, end) in zip(_records(columns), _ranges(patches["corners"]), strict=True)
     ]
+
+
+def _records(columns: dict[str, Array]) -> list[dict[str, Any]]:
+    """A mapping for each row of some columns."""
+    return [dict(zip(columns, row, strict=True)) for row in zip(*(one.tolist() for one in columns.values()), strict=True)]
+
+
+def _ranges(counts: Array) -> list[tuple[int, int]]:
+    """Where each of some runs of values begins and ends."""
+    ends = np.cumsum(counts)
+    return list(zip((ends - counts).tolist(), ends.tolist(), strict=True))

@@ -2,8 +2,10 @@
 
 use crate::facet::Facet;
 use crate::scene::Scene;
+use crate::sunlit::convex::{self, NEAR, Polygon, anticlockwise, cut, without};
 use crate::surface::Kind;
-use hemisphere::{Direction, Vec3};
+use glam::DVec2;
+use hemisphere::{Direction, Frame, Vec3};
 
 /// The largest pieces of what lets no light straight through.
 pub struct Screens {
@@ -44,7 +46,7 @@ impl Screens {
                 Screen { facet, corners, centre, radius }
             })
             .collect();
-        let area = |s: &Screen| area(&s.corners);
+        let area = |s: &Screen| (s.corners[1] - s.corners[0]).cross(s.corners[2] - s.corners[0]).length();
         pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
         pieces.truncate(MOST_SCREENS);
         Self { pieces }
@@ -54,10 +56,18 @@ impl Screens {
     pub fn hide(&self, scene: &Scene, facet: u32, towards: Vec3) -> bool {
         let shape = scene.facet(facet);
         let side = shape.normal.dot(towards).signum();
-        let (normal, offset) = (side * shape.normal, side * shape.offset);
-        let mut left: Vec<Vec<Vec3>> = shape.triangles().into_iter().map(|t| t.to_vec()).collect();
-        let centre = left.iter().flatten().copied().sum::<Vec3>() / (3 * left.len()) as f64;
-        let radius = left.iter().flatten().map(|c| (*c - centre).length()).fold(0.0, f64::max);
+        let corners = shape.corners();
+        let centre = corners.iter().copied().sum::<Vec3>() / corners.len() as f64;
+        let radius = corners.iter().map(|c| (*c - centre).length()).fold(0.0, f64::max);
+        // as the light sees it, in shares of its size
+        let frame = Frame::about(Direction::from_unit(towards));
+        let seen = |points: &[Vec3]| -> Polygon {
+            let flat =
+                points.iter().map(|&p| DVec2::new((p - centre).dot(frame.x), (p - centre).dot(frame.y)) / radius);
+            anticlockwise(flat.collect())
+        };
+        let mut left: Vec<Polygon> = shape.triangles().iter().map(|triangle| seen(triangle)).collect();
+        let least = ROUNDING * left.iter().map(|piece| convex::area(piece)).sum::<f64>();
         for screen in self.pieces.iter().filter(|screen| screen.facet != facet) {
             let (way, reach) = (screen.centre - centre, radius + screen.radius);
             let along = way.dot(towards);
@@ -65,13 +75,14 @@ impl Screens {
                 continue;
             }
             // only what lies on the light's side of the facet's plane throws a shadow on it
-            let part = clip(&screen.corners, normal, offset);
+            let height = |corner: Vec3| side * shape.height(corner) / reach;
+            let part = cut(&screen.corners, height);
             // one in the same plane throws none
-            if part.iter().all(|&corner| normal.dot(corner) - offset <= ROUNDING * reach) {
+            if part.iter().all(|&corner| height(corner) <= NEAR) {
                 continue;
             }
-            left = left.into_iter().flat_map(|piece| outside_shadow(piece, &part, towards)).collect();
-            left.retain(|piece| area(piece) > ROUNDING * shape.area);
+            left = without(left, &seen(&part));
+            left.retain(|piece| convex::area(piece) > least);
             if left.is_empty() {
                 return true;
             }
@@ -81,52 +92,6 @@ impl Screens {
         }
         false
     }
-}
-
-/// What of a convex piece lies outside the shadow of another.
-fn outside_shadow(mut piece: Vec<Vec3>, screen: &[Vec3], towards: Vec3) -> Vec<Vec<Vec3>> {
-    let middle = screen.iter().copied().sum::<Vec3>() / screen.len() as f64;
-    let whole = piece.clone();
-    let mut outside = Vec::new();
-    for (k, &corner) in screen.iter().enumerate() {
-        // the plane through an edge along the light, its normal to the inside
-        let across = (screen[(k + 1) % screen.len()] - corner).cross(towards);
-        let inwards = across.dot(middle - corner);
-        // seen edge-on it throws no shadow
-        if inwards.abs() <= ROUNDING * across.length() * (middle - corner).length() {
-            return vec![whole];
-        }
-        let across = across * inwards.signum();
-        outside.push(clip(&piece, -across, -across.dot(corner)));
-        piece = clip(&piece, across, across.dot(corner));
-        if piece.len() < 3 {
-            return vec![whole];
-        }
-    }
-    outside.retain(|piece| piece.len() > 2);
-    outside
-}
-
-/// The part of a convex polygon with normal · p ≥ offset (I. E. Sutherland, G. W. Hodgman, Commun. ACM 17(1), 1974).
-fn clip(polygon: &[Vec3], normal: Vec3, offset: f64) -> Vec<Vec3> {
-    let mut kept = Vec::with_capacity(polygon.len() + 1);
-    for (k, &a) in polygon.iter().enumerate() {
-        let b = polygon[(k + 1) % polygon.len()];
-        let (here, there) = (normal.dot(a) - offset, normal.dot(b) - offset);
-        if here >= 0.0 {
-            kept.push(a);
-        }
-        if (here < 0.0) != (there < 0.0) {
-            kept.push(a + here / (here - there) * (b - a));
-        }
-    }
-    kept
-}
-
-fn area(polygon: &[Vec3]) -> f64 {
-    let Some(&origin) = polygon.first() else { return 0.0 };
-    let twice = polygon.windows(2).map(|pair| (pair[0] - origin).cross(pair[1] - origin)).sum::<Vec3>();
-    0.5 * twice.length()
 }
 
 #[cfg(test)]
