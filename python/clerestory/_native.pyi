@@ -302,9 +302,26 @@ def sun_coefficients(
     nodes: int = 1024,
     disc_samples: int = 1,
     max_bounces: int | None = None,
+    any_sun: bool = False,
     threads: int | None = None,
     progress: Callable[[int, int, float, float], bool | None] | None = None,
 ) -> dict[str, Any]: ...
+
+class AnySun:
+    def __new__(
+        cls,
+        scene: Scene,
+        points: NDArray[float64],
+        normals: NDArray[float64],
+        *,
+        seeds: Sequence[int],
+        rounds: int,
+        nodes: int,
+    ) -> AnySun: ...
+    def light(self, sun_direction: NDArray[float64], first: int, end: int) -> NDArray[float64]: ...
+    @property
+    def nbytes(self) -> int: ...
+
 def sun_way(
     scene: Scene,
     sun_direction: NDArray[float64],

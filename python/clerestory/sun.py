@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -15,8 +16,13 @@ from clerestory.site import Site
 if TYPE_CHECKING:
     import pandas as pd
 
+Array = npt.NDArray[np.float64]
+
 SUN_DIAMETER_DEG = 0.533
 """Mean angle across the sun's disc seen from Earth [deg]."""
+
+#: Refraction of the sun's middle as its rim rises: where it begins to be added, as pvlib has it [deg].
+_REFRACTION_AT_HORIZON_DEG = 0.5667
 
 
 def sun_position(
@@ -56,37 +62,22 @@ def sun_position(
 
     .. math:: \Delta = \frac{P}{101000} \frac{283}{273 + T} \frac{1.02°}{60 \tan(h + 10.3 / (h + 5.11))}
     """
-    from pvlib import atmosphere, solarposition
-
     moments = site.moments(times)
-    within("temperature_c", temperature_c, -90.0, 60.0)
-    pressure = (
-        float(atmosphere.alt2pres(site.elevation_m)) if pressure_pa is None else number("pressure_pa", pressure_pa)
-    )
-    within("pressure_pa", pressure, 30_000.0, 110_000.0)
-    table = solarposition.spa_python(
-        moments,
-        site.latitude_deg,
-        site.longitude_deg,
-        altitude=site.elevation_m,
-        pressure=pressure,
-        temperature=temperature_c,
-        delta_t=terrestrial_less_universal_s(moments),
-    )
+    places = solar_places(site, moments, pressure_pa=pressure_pa, temperature_c=temperature_c)
     utc = moments.tz_convert("UTC").tz_localize(None).to_numpy().astype("datetime64[ns]")
     local = moments.tz_localize(None).to_numpy().astype("datetime64[ns]")
     degrees = {"units": "degree"}
     return xr.Dataset(
         {
-            "altitude_deg": ("time", table["elevation"].to_numpy(), {"long_name": "sun altitude", **degrees}),
+            "altitude_deg": ("time", places.altitude_deg, {"long_name": "sun altitude", **degrees}),
             "apparent_altitude_deg": (
                 "time",
-                table["apparent_elevation"].to_numpy(),
+                places.apparent_altitude_deg,
                 {"long_name": "sun altitude with refraction", **degrees},
             ),
             "azimuth_deg": (
                 "time",
-                table["azimuth"].to_numpy(),
+                places.azimuth_deg,
                 {"long_name": "sun azimuth clockwise from north", **degrees},
             ),
         },
@@ -103,15 +94,67 @@ def sun_position(
     )
 
 
-def terrestrial_less_universal_s(moments: pd.DatetimeIndex) -> npt.NDArray[np.float64]:
-    """How far the turning Earth is behind even time, TT - UT [s], by the polynomials of Espenak and Meeus in pvlib.
+class Places(NamedTuple):
+    """Where the sun's centre stands, one value a moment [deg]: without and with refraction, clockwise from north."""
 
-    Told by plain arrays: through an index of pandas, as pvlib asks by itself, it takes longer than the sun's place.
-    """
+    altitude_deg: Array
+    apparent_altitude_deg: Array
+    azimuth_deg: Array
+
+
+def solar_places(
+    site: Site, moments: pd.DatetimeIndex, *, pressure_pa: float | None = None, temperature_c: float = 12.0
+) -> Places:
+    """As `sun_position`, of moments with a zone, in plain arrays: for one moment tables take longer than the sun."""
+    from pvlib import atmosphere, spa
+
+    within("temperature_c", temperature_c, -90.0, 60.0)
+    pressure = (
+        float(atmosphere.alt2pres(site.elevation_m)) if pressure_pa is None else number("pressure_pa", pressure_pa)
+    )
+    within("pressure_pa", pressure, 30_000.0, 110_000.0)
+    _, _, apparent, altitude, azimuth, _ = spa.solar_position(
+        unix_s(moments),
+        site.latitude_deg,
+        site.longitude_deg,
+        site.elevation_m,
+        pressure / 100.0,
+        temperature_c,
+        terrestrial_less_universal_s(moments),
+        _REFRACTION_AT_HORIZON_DEG,
+    )
+    return Places(altitude, apparent, azimuth)
+
+
+def sun_distance_au(moments: pd.DatetimeIndex) -> Array:
+    """How far the sun is, in astronomical units, one value a moment."""
     from pvlib import spa
 
+    return np.asarray(spa.earthsun_distance(unix_s(moments), terrestrial_less_universal_s(moments), 1))
+
+
+def unix_s(moments: pd.DatetimeIndex) -> Array:
+    """Seconds since 1970 began in Greenwich."""
+    return np.asarray(moments.as_unit("ns").asi8 / 1e9)
+
+
+def terrestrial_less_universal_s(moments: pd.DatetimeIndex) -> Array:
+    """How far the turning Earth is behind even time, TT - UT [s], by the polynomials of Espenak and Meeus in pvlib.
+
+    Told by plain arrays, once for each month: as pvlib asks by itself it takes longer than the sun's place.
+    """
     utc = moments.tz_convert("UTC")
-    return np.asarray(spa.calculate_deltat(utc.year.to_numpy(), utc.month.to_numpy()), dtype=np.float64)
+    months, index = np.unique(utc.year.to_numpy() * 12 + utc.month.to_numpy() - 1, return_inverse=True)
+    return np.array([_late_s(int(month)) for month in months])[index]
+
+
+@lru_cache(maxsize=4096)
+def _late_s(month: int) -> float:
+    """Of one month, counted from that of year 0."""
+    from pvlib import spa
+
+    year, month = divmod(month, 12)
+    return float(spa.calculate_deltat(np.array([year]), np.array([month + 1]))[0])
 
 
 def direction_of(altitude_deg: Any, azimuth_deg: Any) -> npt.NDArray[np.float64]:

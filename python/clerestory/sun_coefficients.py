@@ -32,6 +32,7 @@ def sun_coefficients(
     rounds: int = 8,
     max_bounces: int | None = None,
     seed: int = 0,
+    any_sun: bool = False,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> xr.Dataset:
@@ -46,6 +47,9 @@ def sun_coefficients(
         Where the sun stands, clockwise from north; above the horizon.
     rounds, max_bounces, seed, threads, progress
         As in `daylight_coefficients`.
+    any_sun : bool, default False
+        Lay the points of surfaces that all sensors share where they serve suns anywhere in the sky, not where these
+        shine most: as right, and what the studio does, which keeps them from sun to sun.
 
     Returns
     -------
@@ -109,6 +113,7 @@ def sun_coefficients(
         seed=seed,
         rounds=rounds,
         max_bounces=max_bounces,
+        any_sun=any_sun,
         threads=threads,
         progress=progress,
     )

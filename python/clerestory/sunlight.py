@@ -11,7 +11,7 @@ import xarray as xr
 from clerestory.errors import ClerestoryError
 from clerestory.rules import not_negative
 from clerestory.site import Site
-from clerestory.sun import sun_position, terrestrial_less_universal_s
+from clerestory.sun import Array, sun_distance_au, sun_position
 
 LUMINOUS_SOLAR_CONSTANT_LX = 133_100.0
 """Illuminance normal to the sun outside the atmosphere at the mean distance [lx]: 683 lm/W times the extraterrestrial
@@ -32,14 +32,10 @@ def extraterrestrial_illuminance_lx(site: Site, times: Any) -> xr.DataArray:
     DataArray, dims ("time",) [lx]
         The luminous solar constant over the squared distance of the sun in astronomical units (theory/sun.md, eq. 5).
     """
-    from pvlib import solarposition
-
     moments = site.moments(times)
     utc = moments.tz_convert("UTC")
-    late_s = terrestrial_less_universal_s(moments)
-    distance_au = np.asarray(solarposition.nrel_earthsun_distance(utc, delta_t=late_s), dtype=np.float64)
     return xr.DataArray(
-        LUMINOUS_SOLAR_CONSTANT_LX / distance_au**2,
+        LUMINOUS_SOLAR_CONSTANT_LX / sun_distance_au(moments) ** 2,
         dims="time",
         coords={"time": pd.DatetimeIndex(utc.tz_localize(None)).to_numpy().astype("datetime64[ns]")},
         attrs={"units": "lx", "long_name": "extraterrestrial normal illuminance"},
@@ -96,16 +92,31 @@ def direct_normal_illuminance_lx(site: Site, times: Any, *, luminous_turbidity: 
     Turbidity for light and its use: M. Navvab, M. Karayel, E. Ne'eman, S. Selkowitz, Energy and Buildings 6, 1984 (CIE
     e-ILV 17-29-108); the extinction is R. Clear's (1982) as used by R. Kittler and S. Darula.
     """
+    turbidity = checked_turbidity(luminous_turbidity)
+    sun = sun_position(site, times)
+    altitude = sun.apparent_altitude_deg
+    share = altitude.copy(data=share_through_air(site, altitude.values, turbidity))
+    illuminance: xr.DataArray = extraterrestrial_illuminance_lx(site, times) * share
+    illuminance.attrs = {"units": "lx", "long_name": "direct normal illuminance", "luminous_turbidity": turbidity}
+    return illuminance
+
+
+def checked_turbidity(luminous_turbidity: Any) -> float:
+    """A luminous turbidity that some air may have."""
     turbidity = not_negative("luminous_turbidity", luminous_turbidity)
     if turbidity < 1.0:
         raise ClerestoryError(f"luminous_turbidity must be at least 1 (clean dry air), got {turbidity:g}")
+    return turbidity
+
+
+def share_through_air(site: Site, altitude_deg: Any, luminous_turbidity: float) -> Array:
+    """Share of the sun's light that cloudless air lets through, by its apparent altitude: 0 below the horizon.
+
+    (theory/sun.md, eqs. 7 and 8).
+    """
     from pvlib import atmosphere
 
-    sun = sun_position(site, times)
     pressure_share = float(atmosphere.alt2pres(site.elevation_m)) / 101_325.0
-    mass = relative_air_mass(sun.apparent_altitude_deg) * pressure_share
+    mass = np.asarray(relative_air_mass(altitude_deg)) * pressure_share
     extinction = 1.0 / (10.1 + 0.045 * mass)
-    outside = extraterrestrial_illuminance_lx(site, times)
-    illuminance: xr.DataArray = (outside * np.exp(-extinction * mass * turbidity)).fillna(0.0)
-    illuminance.attrs = {"units": "lx", "long_name": "direct normal illuminance", "luminous_turbidity": turbidity}
-    return illuminance
+    return np.asarray(np.nan_to_num(np.exp(-extinction * mass * luminous_turbidity)))

@@ -4,7 +4,7 @@ use crate::arrays;
 use crate::errors::{self, mistake};
 use crate::scene::PyScene;
 use crate::sky::PySkyBasis;
-use numpy::{IntoPyArray, PyReadonlyArray1, PyReadonlyArray2, ndarray::Array2};
+use numpy::{IntoPyArray, PyArray3, PyReadonlyArray1, PyReadonlyArray2, ndarray::Array2, ndarray::Array3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use room::{Component, Progress, Settings};
@@ -81,8 +81,17 @@ fn daylight_coefficients<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let (points, normals) = (arrays::points("points", &points)?, arrays::points("normals", &normals)?);
     let weights = weights.map(|w| w.as_array().to_vec());
-    let settings =
-        Settings { seed, rounds, nodes, window_samples, max_bounces, target_relative_error, max_rounds, weights };
+    let settings = Settings {
+        seed,
+        rounds,
+        nodes,
+        window_samples,
+        max_bounces,
+        target_relative_error,
+        max_rounds,
+        weights,
+        any_sun: false,
+    };
     let mut watch = Watch { progress, raised: None };
     let found = py.detach(|| {
         on_threads(threads, || {
@@ -127,7 +136,7 @@ fn centre_coefficients<'py>(
 /// Illuminance by each sun over the sun's normal illuminance, (sensor, sun); `sun_directions` point to the sun.
 #[pyfunction]
 #[pyo3(signature = (scene, points, normals, sun_directions, *, seed=0, rounds=8, nodes=1024, disc_samples=1, max_bounces=None,
-    threads=None, progress=None))]
+    any_sun=false, threads=None, progress=None))]
 #[allow(clippy::too_many_arguments)]
 fn sun_coefficients<'py>(
     py: Python<'py>,
@@ -140,12 +149,13 @@ fn sun_coefficients<'py>(
     nodes: usize,
     disc_samples: usize,
     max_bounces: Option<u32>,
+    any_sun: bool,
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (points, normals) = (arrays::points("points", &points)?, arrays::points("normals", &normals)?);
     let suns = arrays::points("sun_directions", &sun_directions)?;
-    let settings = Settings { seed, rounds, nodes, max_bounces, ..Settings::default() };
+    let settings = Settings { seed, rounds, nodes, max_bounces, any_sun, ..Settings::default() };
     let mut watch = Watch { progress, raised: None };
     let found = py.detach(|| {
         on_threads(threads, || {
@@ -169,8 +179,66 @@ fn sun_coefficients<'py>(
     Ok(result)
 }
 
+/// The light of any one sun on some sensors: rounds of paths that are followed once and kept.
+#[pyclass(name = "AnySun", module = "clerestory._native", frozen)]
+struct PyAnySun {
+    scene: Py<PyScene>,
+    kept: room::AnySun,
+}
+
+#[pymethods]
+impl PyAnySun {
+    #[new]
+    #[pyo3(signature = (scene, points, normals, *, seeds, rounds, nodes))]
+    fn new(
+        py: Python<'_>,
+        scene: Py<PyScene>,
+        points: PyReadonlyArray2<'_, f64>,
+        normals: PyReadonlyArray2<'_, f64>,
+        seeds: Vec<u64>,
+        rounds: usize,
+        nodes: usize,
+    ) -> PyResult<Self> {
+        let (points, normals) = (arrays::points("points", &points)?, arrays::points("normals", &normals)?);
+        let settings = Settings { rounds, nodes, ..Settings::default() };
+        let inner = scene.get();
+        let kept =
+            py.detach(|| room::AnySun::new(&inner.0, &points, &normals, &seeds, &settings)).map_err(errors::room)?;
+        Ok(Self { scene, kept })
+    }
+
+    /// Illuminance by one sun over its normal illuminance in the rounds from `first` up to `end`, (round, part, sensor): direct,
+    /// redirected, interreflected. The rounds of one seed follow those of another.
+    fn light<'py>(
+        &self,
+        py: Python<'py>,
+        sun_direction: PyReadonlyArray2<'_, f64>,
+        first: usize,
+        end: usize,
+    ) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let towards = arrays::directions("sun_direction", &sun_direction)?;
+        let [towards] = towards[..] else { return Err(mistake("sun_direction must be one direction")) };
+        let most = self.kept.rounds();
+        if first > end || end > most {
+            return Err(mistake(format!("rounds must lie in 0..{most}, got {first}..{end}")));
+        }
+        let scene = &self.scene.get().0;
+        let rounds = py.detach(|| self.kept.light(scene, towards, first..end)).map_err(errors::room)?;
+        let sensors = rounds.first().map_or(0, Vec::len);
+        let table = Array3::from_shape_fn((rounds.len(), 3, sensors), |(round, part, s)| rounds[round][s][part]);
+        Ok(table.into_pyarray(py))
+    }
+
+    /// Memory of the paths.
+    #[getter]
+    fn nbytes(&self) -> usize {
+        self.kept.bytes()
+    }
+}
+
 /// Adds all of this file to the module.
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyAnySun>()?;
     module.add_function(wrap_pyfunction!(daylight_coefficients, module)?)?;
     module.add_function(wrap_pyfunction!(centre_coefficients, module)?)?;
     module.add_function(wrap_pyfunction!(sun_coefficients, module)?)

@@ -19,6 +19,7 @@ pub use scene::{Scene, SceneBuilder, Surface};
 pub use sunlit::{Event, Patch, PathVertex, SunBeam, SunWay, Sunlight, WaySettings, sun_way};
 pub use surface::{Kind, Material, Medium};
 pub use transport::Part;
+pub use transport::any_sun::{AnySun, SunRound};
 pub use transport::centre::{CentreCoefficients, centre_coefficients};
 pub use transport::coefficients::{DaylightCoefficients, daylight_coefficients};
 pub use transport::rounds::Component;

@@ -1,4 +1,4 @@
-"""The sun's way through a room's windows: beams, the patches that they light, and paths, as the compiled half follows them."""
+"""The way of the sun through a room's windows: beams, what they light, and paths, as the compiled half follows them."""
 
 from __future__ import annotations
 

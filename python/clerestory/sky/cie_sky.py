@@ -140,6 +140,13 @@ class CieSky:
         shape = relative_luminance(self.sky_type, towards[..., 2], towards @ sun, self._sin_sun_altitude)
         return np.where(towards[..., 2] >= 0.0, self.zenith_cd_m2 * shape, 0.0)
 
+    def luminances_cd_m2(self, basis: str = "reinhart577", *, ground_reflectance: float = 0.2) -> Array:
+        """The values of `matrix` alone, shape (patch,) [cd/m²]."""
+        within("ground_reflectance", ground_reflectance, 0.0, 1.0)
+        sky = patch_means(self.luminance_cd_m2, basis=basis)
+        ground = ground_reflectance * (self.diffuse_horizontal_lx + self.direct_horizontal_lx) / np.pi
+        return np.append(sky, ground)
+
     def matrix(self, basis: str = "reinhart577", *, ground_reflectance: float = 0.2) -> xr.DataArray:
         r"""Mean luminance of each patch of the sky, and of the ground.
 
@@ -161,11 +168,8 @@ class CieSky:
         ClerestoryError
             If the basis is unknown or the reflectance out of range.
         """
-        within("ground_reflectance", ground_reflectance, 0.0, 1.0)
-        sky = patch_means(self.luminance_cd_m2, basis=basis)
-        ground = ground_reflectance * (self.diffuse_horizontal_lx + self.direct_horizontal_lx) / np.pi
         return xr.DataArray(
-            np.append(sky, ground),
+            self.luminances_cd_m2(basis, ground_reflectance=ground_reflectance),
             dims="patch",
             coords=patch_coordinates(basis),
             name="luminance",

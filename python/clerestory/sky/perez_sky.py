@@ -138,6 +138,17 @@ class PerezSky:
         relative = relative_luminance(self._parameters, towards[..., 2], towards @ self.sun_direction)
         return np.where(towards[..., 2] >= 0.0, self._scale * relative, 0.0)
 
+    def luminances_cd_m2(self, basis: str = "reinhart577", *, ground_reflectance: float = 0.2) -> Array:
+        """The values of `matrix` alone, shape (patch,) [cd/m²]."""
+        within("ground_reflectance", ground_reflectance, 0.0, 1.0)
+        illuminance = np.array([self.diffuse_horizontal_lx])
+        means = sky_basis(basis).all_weather(
+            self._parameters[None], self.sun_direction[None], illuminance, quadrature_order(basis)
+        )
+        values = means[0].astype(np.float64)
+        values[-1] = ground_reflectance * (self.diffuse_horizontal_lx + self.direct_horizontal_lx) / np.pi
+        return values
+
     def matrix(self, basis: str = "reinhart577", *, ground_reflectance: float = 0.2) -> xr.DataArray:
         r"""Mean luminance of each patch of the sky, and of the ground.
 
@@ -153,15 +164,8 @@ class PerezSky:
         DataArray, dims ("patch",) [cd/m²]
             The ground is the last patch.
         """
-        within("ground_reflectance", ground_reflectance, 0.0, 1.0)
-        illuminance = np.array([self.diffuse_horizontal_lx])
-        means = sky_basis(basis).all_weather(
-            self._parameters[None], self.sun_direction[None], illuminance, quadrature_order(basis)
-        )
-        values = means[0].astype(np.float64)
-        values[-1] = ground_reflectance * (self.diffuse_horizontal_lx + self.direct_horizontal_lx) / np.pi
         return xr.DataArray(
-            values,
+            self.luminances_cd_m2(basis, ground_reflectance=ground_reflectance),
             dims="patch",
             coords=patch_coordinates(basis),
             name="luminance",

@@ -14,10 +14,11 @@ from clerestory.studio.room_numbers import whole
 from clerestory.studio.room_pool import Array, Pool, relative, scatter
 from clerestory.studio.room_shelf import Kept, RoomShelf, Sun
 from clerestory.studio.room_sky import Moment, direction_is_up
+from clerestory.studio.room_suns import PASSES, ROUNDS, pass_of
 from clerestory.studio.room_work import sun_pass
 
-#: Rounds of the sun's light without a wait, those of one pass, and the most that may be asked for.
-_SUN_ROUNDS, _PASS_ROUNDS, _MOST_SUN_ROUNDS = 4, 2, 64
+#: Rounds of the sun's light without a wait, those of one pass beyond them, and the most that may be asked for.
+_SUN_ROUNDS, _PASS_ROUNDS, _MOST_SUN_ROUNDS = PASSES * ROUNDS, 2, 64
 #: A pass that takes longer is the last that is waited for [s].
 _SLOW_S = 0.25
 #: Suns closer than this are one [degrees].
@@ -41,7 +42,7 @@ def light_of(shelf: RoomShelf, kept: Kept, now: Moment, sun_rounds: Any) -> dict
     sky, sky_error, sky_each = dark, dark, dark[None]
     reflectance = kept.asked.room(kept.variant).ground_reflectance
     if now.sky is not None:
-        luminance = now.sky.matrix(kept.basis, ground_reflectance=reflectance).values
+        luminance = now.sky.luminances_cd_m2(kept.basis, ground_reflectance=reflectance)
         sky_each = pool.each(luminance).sum(axis=1)
         sky, sky_error = np.tensordot(pool.shares, sky_each, axes=1), scatter(sky_each, pool.shares)
     sun, sun_error, sun_each, known = np.zeros((len(PARTS), len(dark))), dark, dark[None], Pool()
@@ -118,13 +119,18 @@ def sun_of(now: Moment) -> Sun:
 def sun_pool(shelf: RoomShelf, kept: Kept, sun: Sun, rounds: int) -> Pool:
     """What is known of one sun's light; computed now as far as it is less than asked for."""
     known = shelf.sun(kept, sun)
-    room = kept.asked.room(kept.variant)
     is_slow = False
     # a window of thousands of beams is not waited for twice
     while known.rounds < rounds and not (is_slow and known.passes):
+        paths = shelf.paths(kept) if known.passes < PASSES else None
         began, cpu = time.perf_counter(), time.thread_time()
-        batch = sun_pass(room, kept.sensors, sun, known.passes, _PASS_ROUNDS)
+        if paths is not None:
+            batch = pass_of(paths, sun, known.passes)
+            # on one thread, so that waiting for others' questions does not count
+            is_slow = time.thread_time() - cpu > _SLOW_S
+        else:
+            batch = sun_pass(kept.asked.room(kept.variant), kept.sensors, sun, known.passes, _PASS_ROUNDS)
+            is_slow = time.perf_counter() - began > _SLOW_S
         pooled = (batch, time.thread_time() - cpu)
         known = shelf.add_sun(kept.key, sun, known.passes, pooled) or known.with_batch(*pooled)
-        is_slow = time.perf_counter() - began > _SLOW_S
     return known

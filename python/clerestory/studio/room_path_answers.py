@@ -95,7 +95,9 @@ def _patches(patches: dict[str, Array]) -> list[dict[str, Any]]:
 
 def _records(columns: dict[str, Array]) -> list[dict[str, Any]]:
     """A mapping for each row of some columns."""
-    return [dict(zip(columns, row, strict=True)) for row in zip(*(one.tolist() for one in columns.values()), strict=True)]
+    return [
+        dict(zip(columns, row, strict=True)) for row in zip(*(one.tolist() for one in columns.values()), strict=True)
+    ]
 
 
 def _ranges(counts: Array) -> list[tuple[int, int]]:

@@ -11,10 +11,13 @@ from clerestory import _native
 from clerestory.room.sensors import Sensors
 from clerestory.studio.room_asked import AskedRoom
 from clerestory.studio.room_pool import Pool
+from clerestory.studio.room_suns import paths_of
 from clerestory.studio.shelf import Shelf
 
 #: Coefficients kept at once, suns of each, and memory of all.
 _KEPT, _SUNS, _MOST_BYTES = 24, 64, 512 * 2**20
+#: Planes of which the paths of any sun are kept.
+_MOST_PATHS = 8
 
 Sun = tuple[float, float]
 
@@ -29,6 +32,10 @@ class Kept:
         Parts, sensors and patches; replaced, never changed.
     suns : mapping of (altitude_deg, azimuth_deg) → Pool
         Parts, sensors and that one sun.
+    paths : AnySun, optional
+        By which any sun's light comes, once a sun is asked for.
+    following : Lock
+        Held while these are followed: whoever else asks waits for them.
     """
 
     key: str
@@ -39,6 +46,14 @@ class Kept:
     warned: tuple[str, ...] = ()
     pool: Pool = field(default_factory=Pool)
     suns: OrderedDict[Sun, Pool] = field(default_factory=OrderedDict)
+    paths: _native.AnySun | None = None
+    following: threading.Lock = field(default_factory=threading.Lock)
+
+    @property
+    def nbytes(self) -> int:
+        """Memory of what is kept."""
+        paths = self.paths
+        return self.pool.nbytes + (0 if paths is None else paths.nbytes)
 
 
 class RoomShelf(Shelf[Kept]):
@@ -49,7 +64,7 @@ class RoomShelf(Shelf[Kept]):
             _KEPT,
             "key must be that of a room that was computed: compute it again",
             most_bytes=_MOST_BYTES,
-            size=lambda one: one.pool.nbytes,
+            size=lambda one: one.nbytes,
         )
 
     def plane(self, asked: AskedRoom, variant: str | None, sensors: Sensors, basis: str) -> Kept:
@@ -116,6 +131,25 @@ class RoomShelf(Shelf[Kept]):
         """What is known of one sun, perhaps nothing."""
         with self.lock:
             return kept.suns.get(sun, Pool())
+
+    def paths(self, kept: Kept) -> _native.AnySun:
+        """The paths by which any sun lights a plane, followed when they are first asked for."""
+        with kept.following:
+            found = kept.paths
+            if found is None:
+                found = kept.paths = paths_of(kept.asked.room(kept.variant), kept.sensors)
+        self.trim()
+        return found
+
+    def trim(self) -> None:
+        """Lets go of the paths of the planes looked at longest ago, then of planes."""
+        with self.lock:
+            having = {key: one.paths.nbytes for key, one in self._things.items() if one.paths is not None}
+            while len(having) > 1 and (len(having) > _MOST_PATHS or sum(having.values()) > _MOST_BYTES // 2):
+                oldest = next(iter(having))
+                self._things[oldest].paths = None
+                del having[oldest]
+            super().trim()
 
 
 def key_of(asked: AskedRoom, variant: str | None, sensors: Sensors, basis: str) -> str:

@@ -20,7 +20,8 @@ from clerestory.studio.room_asked import AskedRoom
 from clerestory.studio.room_numbers import whole
 from clerestory.studio.room_sun_answers import altitude_azimuth, moment
 from clerestory.studio.room_weather import weather_of
-from clerestory.sunlight import direct_normal_illuminance_lx
+from clerestory.sun import sun_distance_au
+from clerestory.sunlight import LUMINOUS_SOLAR_CONSTANT_LX, checked_turbidity, share_through_air
 from clerestory.weather import Weather
 
 #: No sky is brighter than the sun outside the air [lx].
@@ -90,7 +91,8 @@ def _of_cie(site: Site, sky_type: int, given: float | None, turbidity: float, no
         return Moment(None, altitude, azimuth, 0.0, 0.0, "night: the sun is below the horizon")
     direct = 0.0
     if shows_sun(sky_type):
-        direct = float(direct_normal_illuminance_lx(site, pd.DatetimeIndex([now]), luminous_turbidity=turbidity)[0])
+        outside = LUMINOUS_SOLAR_CONSTANT_LX / float(sun_distance_au(pd.DatetimeIndex([now]))[0]) ** 2
+        direct = outside * float(share_through_air(site, altitude, checked_turbidity(turbidity)))
     diffuse = float(usual_diffuse_horizontal_lx(sky_type, altitude) if given is None else given)
     sky = CieSky(
         sky_type=sky_type,

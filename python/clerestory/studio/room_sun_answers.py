@@ -15,7 +15,7 @@ from clerestory.room.toml_table import Table
 from clerestory.rules import within
 from clerestory.site import Site
 from clerestory.studio.room_numbers import whole
-from clerestory.sun import direction_of, sun_position
+from clerestory.sun import direction_of, solar_places
 
 #: The year that days are of: neither a leap year nor next to one.
 YEAR = 2026
@@ -42,7 +42,10 @@ def moment(site: Site, day_of_year: Any, hour: Any, *, year: int = YEAR) -> pd.T
     year : int
     """
     day = whole("day_of_year", day_of_year, 1, 365)
-    return _clock(site, np.array([day]), np.array([within("hour", hour, 0.0, 24.0)]), year)[0]
+    plain = (
+        pd.Timestamp(year, 1, 1) + pd.Timedelta(day - 1, unit="D") + pd.Timedelta(within("hour", hour, 0.0, 24.0), "h")
+    )
+    return plain.tz_localize(site.timezone, ambiguous=True, nonexistent="shift_forward")
 
 
 def sun_of(site: Site, day_of_year: Any, hour: Any, *, year: bool = False) -> dict[str, Any]:
@@ -69,8 +72,8 @@ def sun_of(site: Site, day_of_year: Any, hour: Any, *, year: bool = False) -> di
 
 def altitude_azimuth(site: Site, times: Any) -> tuple[Any, Any]:
     """Of the sun, as seen through the air [degrees]."""
-    found = sun_position(site, pd.DatetimeIndex(times))
-    return found.apparent_altitude_deg.values, found.azimuth_deg.values
+    found = solar_places(site, pd.DatetimeIndex(times))
+    return found.apparent_altitude_deg, found.azimuth_deg
 
 
 def _clock(site: Site, days: Any, hours: Any, year: int = YEAR) -> pd.DatetimeIndex:

@@ -133,7 +133,9 @@ def sun_pass(room: Room, sensors: Sensors, sun: tuple[float, float], number: int
     with warnings.catch_warnings():
         # what is not looked for is told where its paths are
         warnings.simplefilter("ignore", SunWarning)
-        found = sun_coefficients(room, sensors, altitude_deg=sun[0], azimuth_deg=sun[1], rounds=rounds, seed=number)
+        found = sun_coefficients(
+            room, sensors, altitude_deg=sun[0], azimuth_deg=sun[1], rounds=rounds, seed=number, any_sun=True
+        )
     parts = np.stack([found[part].values for part in PARTS])
     variance = np.sum([found[f"{part}_standard_error"].values[:, 0] ** 2 for part in PARTS], axis=0)
     return Batch(parts, float(rounds), parts.sum(axis=0)[:, 0], variance, rounds)

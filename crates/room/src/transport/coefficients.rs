@@ -51,7 +51,7 @@ pub fn daylight_coefficients(
     let weights = weights(settings, basis)?;
     let sensors = Sensors::new(scene, points, normals)?;
     let sky = Sky::new(basis);
-    let found = run(scene, &sensors, settings, &weights, |_| Ok(Light::Sky(&sky)), go_on)?;
+    let found = run(scene, &sensors, settings, &weights, None, |_| Ok(Light::Sky(&sky)), go_on)?;
     Ok(DaylightCoefficients {
         sensors: sensors.len(),
         patches: basis.patches(),

@@ -95,7 +95,7 @@ impl Task<'_> {
     }
 
     /// What one sensor finds through windows and along directions of its own (theory/room.md, eqs. 3–6).
-    fn explore(&self, i: usize, out: &mut Found) {
+    pub fn explore(&self, i: usize, out: &mut Found) {
         let Self { walker, sensors, own, lot, lots, .. } = *self;
         let own = own[i];
         let vertex = Vertex { place: sensors.place(i), normal: sensors.normal(i), facet: NO_FACET };
@@ -133,7 +133,7 @@ fn add(sums: &mut [f64; GROUP], weights: &[f64; GROUP], value: f64) {
 }
 
 /// The sensors of a group, coordinate by coordinate.
-struct Lanes {
+pub struct Lanes {
     position: [[f64; GROUP]; 3],
     normal: [[f64; GROUP]; 3],
     /// Directions of its own each sensor draws, over π.
@@ -142,7 +142,7 @@ struct Lanes {
 }
 
 impl Lanes {
-    fn of(sensors: &Sensors, group: Range<usize>, own: &[Own]) -> Self {
+    pub fn of(sensors: &Sensors, group: Range<usize>, own: &[Own]) -> Self {
         let mut lanes = Self {
             position: [[0.0; GROUP]; 3],
             normal: [[0.0; GROUP]; 3],
@@ -161,7 +161,7 @@ impl Lanes {
 
     /// What the radiance of a node counts for at each sensor: cos θ cos θ′/d² over the density of points there, its own directions
     /// counted in (theory/room.md, eq. 7).
-    fn weights(&self, walker: &Walker<'_>, node: &Node) -> [f64; GROUP] {
+    pub fn weights(&self, walker: &Walker<'_>, node: &Node) -> [f64; GROUP] {
         let (p, n) = (node.vertex.place.position, node.vertex.normal);
         let mut weights = [0.0; GROUP];
         for (s, weight) in weights.iter_mut().enumerate() {

@@ -1,7 +1,7 @@
 //! Looking out through the windows: by points drawn on them, and by directions drawn in each patch of the sky
 //! (theory/room.md, eqs. 5 and 6).
 
-use super::path::{Came, Light, Path, State, Techniques, Vertex};
+use super::path::{Asked, Came, Light, Path, State, Techniques, Vertex};
 use super::portals::Drawn;
 use super::walk::Walker;
 use crate::surface::{Kind, Medium};
@@ -67,10 +67,20 @@ impl Sight {
 impl Walker<'_> {
     /// Light arriving at a vertex through points drawn on the windows, or from the suns; `beta` counts the mean radiance.
     pub fn look_out(&self, vertex: &Vertex, beta: f64, techniques: &Techniques<'_>, bounces: u32, path: &mut Path<'_>) {
-        if let Light::Suns(suns) = self.light {
-            suns.shine_on(self, vertex, beta, bounces, path);
-            suns.shine_spread(self, vertex, beta, techniques, bounces, path);
-            return;
+        match self.light {
+            Light::Sky(_) => {}
+            Light::Suns(suns) => {
+                suns.shine_on(self, vertex, beta, bounces, path);
+                self.shine_spread(vertex, beta, techniques, bounces, path);
+                return;
+            }
+            Light::AnySun => {
+                // as many random numbers as suns take: the paths are the same
+                path.numbers.rng.uniform();
+                path.out.ask(Asked::Shine(*vertex), self.part(bounces, false), beta / PI);
+                self.shine_spread(vertex, beta, techniques, bounces, path);
+                return;
+            }
         }
         let spread = path.numbers.window();
         for index in 0..techniques.window_points {

@@ -4,6 +4,7 @@
 //! on surfaces, [`nodes`], are shared by all sensors; [`gather`] joins the two into the coefficients of one round, and
 //! [`rounds`] runs independent ones until they are good enough.
 
+pub mod any_sun;
 mod beams;
 pub mod centre;
 pub mod coefficients;

@@ -1,6 +1,7 @@
 //! Points on diffuse surfaces that all sensors share, in layers: every sensor sees those of the first, and whatever light was reflected
 //! b times sees a few of layer b (theory/room.md, eqs. 7 and 8).
 
+use super::Entry;
 use super::density::{NodeDensity, Picked};
 use super::numbers::Numbers;
 use super::path::{Found, Link, Path, Vertex};
@@ -130,13 +131,16 @@ fn draw_layer(
     let (mut nodes, mut found) = (Vec::with_capacity(indices.len()), Found::default());
     for (block, of_block) in blocks {
         let (entries, links) = (found.entries.len(), found.links.len());
+        let asked = found.asked.len() as u32;
         let shifted = |range: Range<usize>, by: usize| range.start + by..range.end + by;
         nodes.extend(block.into_iter().map(|node| Node {
             entries: shifted(node.entries, entries),
             links: shifted(node.links, links),
             ..node
         }));
-        found.entries.extend(of_block.entries);
+        // only where the sun is asked for later are their patches numbers of the block's own
+        found.entries.extend(of_block.entries.into_iter().map(|entry| Entry { patch: entry.patch + asked, ..entry }));
+        found.asked.extend(of_block.asked);
         found.links.extend(of_block.links);
     }
     (nodes, found)

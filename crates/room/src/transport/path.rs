@@ -1,10 +1,11 @@
 //! What a path carries with it: where it is, how it got there, whose random numbers it uses.
 
-use super::Entry;
 use super::density::NodeDensity;
 use super::numbers::Numbers;
 use super::sky::Sky;
+use super::spread::Looked;
 use super::suns::Suns;
+use super::{Entry, Part};
 use crate::scene::Scene;
 use crate::surface::Medium;
 use crate::tracer::{Place, Ray};
@@ -34,6 +35,24 @@ pub struct Found {
     pub entries: Vec<Entry>,
     /// Light of nodes.
     pub links: Vec<Link>,
+    /// Where light is looked for later: its entries have the number of one of these for a patch.
+    pub asked: Vec<Asked>,
+}
+
+/// A look at the sun, whichever it is.
+pub enum Asked {
+    /// At a point that it may shine on.
+    Shine(Vertex),
+    /// At a point of a window that may spread its light.
+    Glow(Looked),
+}
+
+impl Found {
+    /// Looks at the sun later; `value` is what its light counts for.
+    pub fn ask(&mut self, asked: Asked, part: Part, value: f64) {
+        self.entries.push(Entry { patch: self.asked.len() as u32, part, value });
+        self.asked.push(asked);
+    }
 }
 
 /// A node's light, as a vertex sends it on.
@@ -75,6 +94,8 @@ pub enum Light<'a> {
     Sky(&'a Sky<'a>),
     /// The sun at many places in turn.
     Suns(Suns),
+    /// Any sun, to be told later: what is found is where its light is asked for.
+    AnySun,
 }
 
 /// Whence a ray comes, as far as another technique could have found its end.

@@ -56,7 +56,7 @@ impl Plan {
                     (points, per_sr, settings.window_samples)
                 }
                 // every reflection costs a look at all suns: go by the nodes
-                Light::Suns(_) => {
+                Light::Suns(_) | Light::AnySun => {
                     let points = if walker.portals.spreads() { SPREAD_POINTS } else { 0 };
                     (points, 0.0, settings.nodes / SUNS_NODES_PER_DIRECTION)
                 }

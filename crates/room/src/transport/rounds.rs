@@ -36,24 +36,32 @@ pub struct Found {
     pub interrupted: bool,
 }
 
-fn walker<'b>(scene: &'b Scene, portals: &'b Portals, light: &'b Light<'b>, settings: &Settings) -> Walker<'b> {
+/// What follows the paths of a round.
+pub fn walker<'b>(scene: &'b Scene, portals: &'b Portals, light: &'b Light<'b>, settings: &Settings) -> Walker<'b> {
     Walker { scene, portals, light, layers: &[], max_bounces: settings.max_bounces }
 }
 
-/// Runs rounds. `light` gives the light of a round from its seed; `weights` has a value for each of its columns.
+/// Runs rounds. `light` gives the light of a round from its seed; `weights` has a value for each of its columns. Without a `plan` it is
+/// made for this light.
 pub fn run<'a>(
     scene: &Scene,
     sensors: &Sensors,
     settings: &Settings,
     weights: &[f64],
+    plan: Option<Plan>,
     light: impl Fn(u64) -> Result<Light<'a>, RoomError>,
     mut go_on: impl FnMut(Progress) -> bool,
 ) -> Result<Found, RoomError> {
     let started = Instant::now();
     let portals = Portals::of(scene);
     let limited = settings.max_bounces.is_some();
-    let ahead = light(Rng::new(settings.seed, u64::MAX).bits())?;
-    let plan = Plan::new(&walker(scene, &portals, &ahead, settings), sensors, weights, settings);
+    let plan = match plan {
+        Some(plan) => plan,
+        None => {
+            let ahead = light(Rng::new(settings.seed, u64::MAX).bits())?;
+            Plan::new(&walker(scene, &portals, &ahead, settings), sensors, weights, settings)
+        }
+    };
     let mut groups: Vec<Group> = (0..sensors.len())
         .step_by(GROUP)
         .map(|first| Group::new(first, (first + GROUP).min(sensors.len()), weights.len(), limited))

@@ -19,6 +19,8 @@ pub struct Settings {
     pub target_relative_error: Option<f64>,
     /// But not more rounds than this.
     pub max_rounds: usize,
+    /// Shared points lie where they serve suns anywhere in the sky, not where those that are asked for shine; of the sun alone.
+    pub any_sun: bool,
     /// Luminances of the patches that the target speaks of; by default the overcast sky over ground of reflectance 0.2.
     pub weights: Option<Vec<f64>>,
 }
@@ -33,6 +35,7 @@ impl Default for Settings {
             max_bounces: None,
             target_relative_error: None,
             max_rounds: 4096,
+            any_sun: false,
             weights: None,
         }
     }

@@ -1,5 +1,6 @@
 //! Illuminance by the sun at many places in turn, without patches: exact beams through every window (theory/room.md, eqs. 12 and 13).
 
+use super::any_sun::plan_for_any;
 use super::path::Light;
 use super::rounds::{Component, run};
 use super::sensors::Sensors;
@@ -87,7 +88,8 @@ pub fn sun_coefficients(
         cut_off.borrow_mut().iter_mut().zip(&suns.cut_off).for_each(|(most, cut)| *most = f64::max(*most, *cut));
         Ok(Light::Suns(suns))
     };
-    let found = run(scene, &sensors, settings, &weights, light, go_on)?;
+    let plan = settings.any_sun.then(|| plan_for_any(scene, &turners, &sensors, settings)).transpose()?;
+    let found = run(scene, &sensors, settings, &weights, plan, light, go_on)?;
     Ok(SunCoefficients {
         sensors: sensors.len(),
         suns: directions.len(),

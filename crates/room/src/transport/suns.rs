@@ -50,23 +50,16 @@ impl Suns {
         per_sun: usize,
         seed: u64,
     ) -> Result<Self, RoomError> {
-        let found: Vec<Vec<(Vec3, Beams)>> = towards
-            .par_iter()
-            .enumerate()
-            .map(|(sun, &towards)| {
-                let sobol = Sobol { seed: Rng::new(seed, sun as u64).bits() };
-                let frame = Frame::about(towards);
-                (0..per_sun)
-                    .map(|index| {
-                        let [u, v, ..] = sobol.set(index as u32, 0);
-                        let (r, angle) = (u.sqrt() * (0.5 * DIAMETER).sin(), TAU * v);
-                        let local = Vec3::new(r * angle.cos(), r * angle.sin(), (1.0 - r * r).sqrt());
-                        let point = frame.outward(local);
-                        Beams::of(scene, turners, point).map(|beams| (point, beams))
-                    })
-                    .collect()
-            })
-            .collect::<Result<_, _>>()?;
+        let points = |(sun, &towards): (usize, &Direction)| points_of(scene, turners, sun, towards, per_sun, seed);
+        Ok(Self::put_together(per_sun, towards.par_iter().enumerate().map(points).collect::<Result<_, _>>()?))
+    }
+
+    /// One point of one sun, as the first of several would be.
+    pub fn one(scene: &Scene, turners: &Turners, towards: Direction, seed: u64) -> Result<Self, RoomError> {
+        Ok(Self::put_together(1, vec![points_of(scene, turners, 0, towards, 1, seed)?]))
+    }
+
+    fn put_together(per_sun: usize, found: Vec<Vec<(Vec3, Beams)>>) -> Self {
         let mut suns = Self { per_sun, points: Vec::new(), ways: Vec::new(), beams: Vec::new(), cut_off: Vec::new() };
         for of_sun in found {
             suns.cut_off.push(of_sun.iter().map(|(_, beams)| beams.cut_off).fold(0.0, f64::max));
@@ -82,7 +75,7 @@ impl Suns {
                 });
             }
         }
-        Ok(suns)
+        suns
     }
 
     /// The beams of a point of the sun, and how many of the first may light something.
@@ -121,7 +114,6 @@ impl Suns {
     /// The sun's light on a vertex, for every sun. A sensor takes all points of the disc, a reflection one, by chance.
     pub fn shine_on(&self, walker: &Walker<'_>, vertex: &Vertex, beta: f64, bounces: u32, path: &mut Path<'_>) {
         let chosen = (path.numbers.rng.uniform() * self.per_sun as f64) as usize;
-        let wanted = Wanted { place: &vertex.place, facet: vertex.facet };
         // what hid one sun mostly hides the next
         let mut hiding = None;
         for (sun, points) in self.points.chunks_exact(self.per_sun).enumerate() {
@@ -131,19 +123,7 @@ impl Suns {
             // without and with total reflection
             let mut seen = [0.0; 2];
             for point in points.iter().filter(|point| point.towards.z > 0.0) {
-                let cos = point.towards.dot(vertex.normal);
-                let open = Ray { origin: vertex.place.position, direction: point.towards, leaving: vertex.facet };
-                if cos > 0.0 && !hiding.is_some_and(|facet| walker.scene.tracer.meets(&open, facet)) {
-                    hiding = walker.scene.tracer.closest(&open).map(|hit| hit.facet);
-                    if hiding.is_none() {
-                        seen[0] += cos;
-                    }
-                }
-                let (sunlight, lighting) = self.sunlight(walker.scene, point);
-                let cosine = |direction: Vec3| -direction.dot(vertex.normal);
-                for beam in lighting {
-                    sunlight.seen_from(beam, &wanted, cosine, &mut seen);
-                }
+                self.shine(walker.scene, vertex, point, &mut hiding, &mut seen);
             }
             for (redirected, value) in [false, true].into_iter().zip(seen).filter(|(_, value)| *value > 0.0) {
                 let part = walker.part(bounces, redirected);
@@ -151,4 +131,54 @@ impl Suns {
             }
         }
     }
+
+    /// The light of suns of one point on a vertex that was reached before they were known, over their normal illuminance. What hid one
+    /// from the last vertex, which mostly hides it from the next, is kept in `hiding`.
+    pub fn shining(&self, scene: &Scene, vertex: &Vertex, hiding: &mut Option<u32>) -> Shares {
+        let mut seen = [0.0; 2];
+        for point in self.points.iter().filter(|point| point.towards.z > 0.0) {
+            self.shine(scene, vertex, point, hiding, &mut seen);
+        }
+        seen
+    }
+
+    /// Adds what one point of a sun gives a vertex.
+    #[inline]
+    fn shine(&self, scene: &Scene, vertex: &Vertex, point: &Point, hiding: &mut Option<u32>, seen: &mut Shares) {
+        let cos = point.towards.dot(vertex.normal);
+        let open = Ray { origin: vertex.place.position, direction: point.towards, leaving: vertex.facet };
+        if cos > 0.0 && !hiding.is_some_and(|facet| scene.tracer.meets(&open, facet)) {
+            *hiding = scene.tracer.closest(&open).map(|hit| hit.facet);
+            if hiding.is_none() {
+                seen[0] += cos;
+            }
+        }
+        let (sunlight, lighting) = self.sunlight(scene, point);
+        let wanted = Wanted { place: &vertex.place, facet: vertex.facet };
+        let cosine = |direction: Vec3| -direction.dot(vertex.normal);
+        for beam in lighting {
+            sunlight.seen_from(beam, &wanted, cosine, seen);
+        }
+    }
+}
+
+/// Draws the points of a sun's disc, with their beams; `sun` is its number.
+fn points_of(
+    scene: &Scene,
+    turners: &Turners,
+    sun: usize,
+    towards: Direction,
+    per_sun: usize,
+    seed: u64,
+) -> Result<Vec<(Vec3, Beams)>, RoomError> {
+    let sobol = Sobol { seed: Rng::new(seed, sun as u64).bits() };
+    let frame = Frame::about(towards);
+    let point = |index: usize| {
+        let [u, v, ..] = sobol.set(index as u32, 0);
+        let (r, angle) = (u.sqrt() * (0.5 * DIAMETER).sin(), TAU * v);
+        let local = Vec3::new(r * angle.cos(), r * angle.sin(), (1.0 - r * r).sqrt());
+        let point = frame.outward(local);
+        Beams::of(scene, turners, point).map(|beams| (point, beams))
+    };
+    (0..per_sun).map(point).collect()
 }

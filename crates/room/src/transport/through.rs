@@ -47,10 +47,10 @@ impl Walker<'_> {
         let kept = match self.light {
             Light::Sky(_) => share,
             // of the suns, only what the window spreads
-            Light::Suns(suns) => {
+            Light::Suns(_) | Light::AnySun => {
                 let State { bounces, redirected, .. } = *state;
                 let looked = Looked { facet: met.facet, point, direction, bounces, redirected };
-                suns.glow(self, &looked, state.beta * share, path);
+                self.glow(looked, state.beta * share, path);
                 1.0
             }
         };

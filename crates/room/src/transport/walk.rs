@@ -218,7 +218,7 @@ impl Walker<'_> {
     fn reflection(&self) -> Techniques<'static> {
         let window_points = match self.light {
             Light::Sky(_) => WINDOW_POINTS,
-            Light::Suns(_) => u32::from(self.portals.spreads()),
+            Light::Suns(_) | Light::AnySun => u32::from(self.portals.spreads()),
         };
         Techniques { directions: 1.0, window_points, per_sr: 0.0, nodes: None, of_sensor: false }
     }
