@@ -119,3 +119,19 @@ def test_a_boundary_that_could_turn_the_sun_is_told_of():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         sun_coefficients(mirrored, altitude_deg=40.0, azimuth_deg=180.0, rounds=2)
+
+
+def test_a_suns_light_may_be_that_of_any_sun():
+    """With `any_sun` numbers do not hang on the suns that are asked with one; without it they are as right."""
+    one, suns = room(PANEL), ([50.0, 25.0], [180.0, 150.0])
+    both = sun_coefficients(one, altitude_deg=suns[0], azimuth_deg=suns[1], any_sun=True, rounds=16)
+    alone = sun_coefficients(one, altitude_deg=50.0, azimuth_deg=180.0, any_sun=True, rounds=16)
+    own = sun_coefficients(one, altitude_deg=50.0, azimuth_deg=180.0, rounds=16, seed=1)
+    for part in PARTS:
+        np.testing.assert_allclose(both[part].values[:, 0], alone[part].values[:, 0], rtol=1e-12, atol=1e-15)
+    value, error = (
+        [each[f"interreflected{kind}"].values[:, 0] for each in (alone, own)] for kind in ("", "_standard_error")
+    )
+    sigmas = (value[0] - value[1]) / np.hypot(*error)
+    assert (np.array(error) < 0.1 * np.array(value)).all()
+    assert np.abs(sigmas).max() < 5.0
