@@ -68,12 +68,12 @@ pub fn sun_way(scene: &Scene, towards: Direction, settings: &WaySettings) -> Sun
     for one in seen.iter().filter(|one| !one.is_dark()) {
         let places = places::on_window(scene, one, points, *towards);
         let facet = scene.facet(one.facet);
-        let rays = walk.from_sun(&places, *towards, Event::Glazing, facet.surface);
+        let rays = walk.sent_to(&places, *towards, Event::Glazing, facet.surface);
         starts.extend(walk.through(rays, one.facet).into_iter().filter(|ray| ray.direction.dot(facet.normal) > 0.0));
     }
     for beam in &thrown {
         let places = places::on_mirror(scene, beam, points);
-        let mut rays = walk.from_sun(&places, *towards, Event::Mirror, scene.facet(beam.source).surface);
+        let mut rays = walk.sent_to(&places, *towards, Event::Mirror, scene.facet(beam.source).surface);
         for ray in &mut rays {
             (ray.direction, ray.power, ray.is_mirrored) = (beam.direction, beam.power, true);
         }

@@ -85,7 +85,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Light that comes from the sun to places of a surface, and meets it there.
-    pub fn from_sun(&mut self, places: &[Vec3], towards: Vec3, event: Event, surface: u32) -> Vec<LightRay> {
+    pub fn sent_to(&mut self, places: &[Vec3], towards: Vec3, event: Event, surface: u32) -> Vec<LightRay> {
         let ray = |&origin: &Vec3| LightRay {
             origin,
             direction: -towards,
