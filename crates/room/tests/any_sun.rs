@@ -70,7 +70,10 @@ fn one_sun(scene: &Scene, points: &[Vec3], normals: &[Vec3], at: [f64; 2], setti
 #[test]
 fn kept_rounds_are_those_of_the_coefficients() {
     let scene = mixed_room();
-    let (points, normals) = Shoebox::reference().work_plane(0.8, 1.0);
+    // half look up, half look down from under the ceiling, at what is turned
+    let (mut points, mut normals) = Shoebox::reference().work_plane(0.8, 1.0);
+    points.extend(Shoebox::reference().work_plane(2.9, 1.0).0);
+    normals.resize(points.len(), -Vec3::Z);
     let settings = Settings { rounds: 2, nodes: 200, any_sun: true, ..Settings::default() };
     let kept = AnySun::new(&scene, &points, &normals, &[3, 4], &settings).expect("sound");
     assert!(kept.rounds() == 4 && kept.bytes() > 200 * points.len() * 8 * 4);
