@@ -147,7 +147,7 @@ class PerezSky:
         )
         values = means[0].astype(np.float64)
         values[-1] = ground_reflectance * (self.diffuse_horizontal_lx + self.direct_horizontal_lx) / np.pi
-        return values
+        return np.asarray(values)
 
     def matrix(self, basis: str = "reinhart577", *, ground_reflectance: float = 0.2) -> xr.DataArray:
         r"""Mean luminance of each patch of the sky, and of the ground.
