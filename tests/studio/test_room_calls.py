@@ -66,7 +66,7 @@ def key(rooms: Any, asked: Any) -> str:
     """Coefficients of the work plane, three passes of them."""
     sensors, _ = plane_sensors(asked.room(), None)
     shelf = rooms.app.state.room_shelf
-    kept = shelf.place(asked, None, sensors, "tregenza145")
+    kept = shelf.plane(asked, None, sensors, "tregenza145")
     for number in range(3):
         shelf.add(kept.key, number, (one_pass(asked.room(), sensors, "tregenza145", number, 512)[0], 0.1))
     return str(kept.key)
@@ -350,7 +350,7 @@ def test_windows_of_unknown_beams_leave_the_sky(rooms: Any, asked: Any) -> None:
     rough = asked_room(rooms.app.state, {"room": {"tables": tables}})
     sensors, _ = plane_sensors(rough.room(), None)
     shelf = rooms.app.state.room_shelf
-    kept = shelf.place(rough, None, sensors, "tregenza145")
+    kept = shelf.plane(rough, None, sensors, "tregenza145")
     shelf.add(kept.key, 0, (one_pass(rough.room(), sensors, "tregenza145", 0, 64)[0], 0.1))
     told = ask(rooms, "light", key=kept.key, sky=CLEAR, **WHEN)
     assert told["mean_lx"] > 0.0

@@ -24,5 +24,5 @@ def paths_of(room: Room, sensors: Sensors) -> _native.AnySun:
 def pass_of(paths: _native.AnySun, sun: tuple[float, float], number: int) -> Batch:
     """One independent estimate of what one sun gives a plane, per illuminance normal to it."""
     rounds = paths.light(direction_of(*sun)[None], number * ROUNDS, (number + 1) * ROUNDS)
-    parts, sums = rounds.mean(axis=0)[..., None], rounds.sum(axis=1)
-    return Batch(parts, float(ROUNDS), sums.mean(axis=0), sums.var(axis=0, ddof=1) / ROUNDS, ROUNDS)
+    parts, variance = rounds.mean(axis=0), rounds.var(axis=0, ddof=1).sum(axis=0) / ROUNDS
+    return Batch(parts[..., None], float(ROUNDS), parts.sum(axis=0), variance, ROUNDS)
