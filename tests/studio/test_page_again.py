@@ -86,6 +86,7 @@ def test_a_bsdf_that_is_computed_is_gone_on_with(page: Any, studio: str) -> None
     assert (now["job"], now["state"]) == (before, "running")
     # its own page alone takes it up: another computes nothing unasked
     other = page.context.browser.new_page()
+    other.set_default_timeout(1000.0 * chromium.PATIENCE_S)
     other.goto(f"{studio}#{SLOW}")
     other.locator(".drawing .solid").first.wait_for()
     other.wait_for_timeout(500)
