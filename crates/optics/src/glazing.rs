@@ -1,10 +1,12 @@
 //! What a flat element of a window does to light: the only thing a room knows of a window.
 
 mod clear;
+mod moving;
 mod polarised;
 mod stack;
 
 pub use clear::ClearGlazing;
+pub use moving::{MovingLobes, Slopes, stays_image};
 pub use polarised::{PolarisedLobe, PolarisedLobes};
 pub use stack::{LayerShares, Stack, StackLobe, StackLobes};
 
@@ -101,6 +103,12 @@ pub struct Straight {
 pub trait Glazing: Send + Sync {
     /// Every specular direction that leaves, with its share of the power: exact, no random numbers.
     fn lobes(&self, incident: Direction, out: &mut Lobes);
+
+    /// As [`Self::lobes`], and how the direction of each moves with that of the light. An element that does not know is asked for
+    /// its lobes twice more, a small step beside.
+    fn moving_lobes(&self, incident: Direction, out: &mut MovingLobes) {
+        moving::by_steps(self, incident, out);
+    }
 
     /// One direction that leaves, drawn with probability proportional to its power.
     /// `u` are uniform numbers in [0, 1); the last seeds whatever further numbers the way needs.

@@ -16,8 +16,8 @@ pub use averaging::{Averaging, Cells, Exchange, Way, has_lobes, isotropic_trees}
 pub use bsdf::{Block, Blocks, Bsdf, Matrix, Tree, TreeWriter};
 pub use error::OpticsError;
 pub use glazing::{
-    ClearGlazing, Glazing, LayerShares, Lobe, Lobes, PolarisedLobe, PolarisedLobes, Scattered, Side, Stack, StackLobe,
-    StackLobes, Straight,
+    ClearGlazing, Glazing, LayerShares, Lobe, Lobes, MovingLobes, PolarisedLobe, PolarisedLobes, Scattered, Side,
+    Slopes, Stack, StackLobe, StackLobes, Straight, stays_image,
 };
 pub use interface::{Interface, Split, mirror, refract};
 pub use medium::{Absorption, Dispersion, Law, Medium, Table, medium_names};

@@ -1,11 +1,12 @@
 //! What the exact solver leaves over when its budget ends is followed by a quasi-random walk.
 
 use crate::{
+    differential::Differential,
     flux::{Part, Payload, Solver},
-    panel::Outcome,
-    walk::{Draw, End, Walk},
+    panel::{Beam, Outcome},
+    walk::{Draw, End, Ray, Walk},
 };
-use hemisphere::{Sobol, Vec3};
+use hemisphere::{Direction, Sobol, Vec3};
 use optics::Stokes;
 
 /// Rays that follow what is left if it is this share of the light or more; less light is worth fewer.
@@ -26,19 +27,21 @@ const SEED: u64 = 0x00c1_e7e5_7021;
 struct Waiting {
     hand: crate::HalfEdge,
     direction: Vec3,
+    turning: Option<Differential>,
     start: f64,
     end: f64,
     stokes: Stokes,
     total_reflections: u16,
 }
 
-/// Sends rays from all that waits in `solver`, equally strong, and adds where they go to `outcome`.
-pub fn finish<P: Payload>(solver: &Solver<P>, walk: &Walk, weight: f64, outcome: &mut Outcome) {
+/// Sends rays from all that waits in `solver`, equally strong, and adds where they go to `outcome`, with how they move if wanted.
+pub fn finish<P: Payload>(solver: &Solver<P>, moves: bool, (walk, weight): (&Walk, f64), outcome: &mut Outcome) {
     let waiting: Vec<Waiting> = solver
         .waiting()
         .map(|(hand, direction, Part { start, end, piece })| Waiting {
             hand,
-            direction,
+            direction: solver.direction(direction),
+            turning: moves.then(|| solver.turning(direction)),
             start,
             end,
             stokes: piece.mean.times(end - start).stokes(),
@@ -62,9 +65,20 @@ pub fn finish<P: Payload>(solver: &Solver<P>, walk: &Walk, weight: f64, outcome:
             let polarisation = [1, 2, 3].map(|i| w.stokes[i] / w.stokes[0]);
             let mut draw = Draw::spread(&sobol, index);
             let place = w.start + (w.end - w.start) * share.clamp(0.0, 1.0);
-            match walk.resume(w.hand, place, w.direction, polarisation, w.total_reflections, &mut draw) {
+            let ray = Ray {
+                total_reflections: w.total_reflections,
+                turning: w.turning,
+                ..Ray::new(w.direction, polarisation)
+            };
+            let (end, slopes) = walk.resume(w.hand, place, ray, &mut draw);
+            match end {
                 End::Leaves { direction, total_reflections, weight } => {
-                    outcome.add(direction, [power * weight, 0.0, 0.0, 0.0], total_reflections);
+                    outcome.add(Beam {
+                        direction: Direction::from_unit(direction),
+                        stokes: [power * weight, 0.0, 0.0, 0.0],
+                        total_reflections,
+                        slopes,
+                    });
                     outcome.absorbed += power * (1.0 - weight);
                 }
                 End::Lost { weight } => {

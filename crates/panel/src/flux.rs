@@ -11,4 +11,4 @@ mod solver;
 pub use density::Part;
 pub use payload::{Payload, film_reflectance};
 pub use section::{Strip, strips};
-pub use solver::{Limits, Solver};
+pub use solver::{Limits, Solver, Wave};

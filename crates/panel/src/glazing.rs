@@ -2,12 +2,13 @@
 
 use crate::{
     media::Optical,
-    panel::{Beam, Panel, Polarisation, SAME_DIRECTION, Sample, Workspace, is_across_the_cuts},
+    panel::{Beam, Outcome, Panel, Polarisation, SAME_DIRECTION, Sample, Workspace, is_across_the_cuts},
     walk::{Draw, End},
 };
 use hemisphere::Direction;
 use optics::{
-    Glazing, Lobe, Lobes, Mueller, PolarisedLobe, PolarisedLobes, Scattered, Stokes, Straight, formulas::slab,
+    Glazing, Lobe, Lobes, MovingLobes, Mueller, PolarisedLobe, PolarisedLobes, Scattered, Stokes, Straight,
+    formulas::slab, stays_image,
 };
 use std::cell::RefCell;
 
@@ -24,13 +25,20 @@ impl Glazing for Panel {
             out.residual = 1.0;
             return;
         };
-        let lobe = |b: &crate::Beam| Lobe {
-            direction: b.direction,
-            power: b.stokes[0],
-            total_reflections: b.total_reflections,
+        fill(&outcome, out);
+    }
+
+    /// One solution: the differential of each ray goes along with it.
+    fn moving_lobes(&self, incident: Direction, out: &mut MovingLobes) {
+        out.clear();
+        let outcome = WORKSPACE.with_borrow_mut(|workspace| self.moving_outcome(incident, workspace));
+        let Ok(outcome) = outcome else {
+            out.lobes.residual = 1.0;
+            return;
         };
-        out.beams.extend(outcome.beams.iter().map(lobe));
-        (out.absorbed, out.residual) = (outcome.absorbed, outcome.residual);
+        let slopes = |b: &Beam| b.slopes.filter(|&slopes| !stays_image(incident, b.direction, slopes));
+        out.slopes.extend(outcome.beams.iter().map(slopes));
+        fill(&outcome, &mut out.lobes);
     }
 
     fn scatter(&self, incident: Direction, u: [f64; 3]) -> Scattered {
@@ -112,6 +120,12 @@ impl Glazing for Panel {
             _ => (Scattered::Absorbed, [0.0; 3]),
         }
     }
+}
+
+fn fill(outcome: &Outcome, out: &mut Lobes) {
+    let lobe = |b: &Beam| Lobe { direction: b.direction, power: b.stokes[0], total_reflections: b.total_reflections };
+    out.beams.extend(outcome.beams.iter().map(lobe));
+    (out.absorbed, out.residual) = (outcome.absorbed, outcome.residual);
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 #![warn(clippy::unwrap_used, clippy::expect_used)]
 
+mod differential;
 pub mod error;
 pub mod facet;
 mod finish;

@@ -1,15 +1,16 @@
 //! A panel: a profile, its media at one or several wavelengths, and how exactly to follow light through it.
 
 use crate::{
+    differential::move_alike,
     error::PanelError,
     finish::{self, finish},
-    flux::{Limits, Payload, Solver},
+    flux::{Limits, Payload, Solver, Wave},
     media::Media,
     profile::Profile,
     walk::Walk,
 };
 use hemisphere::{Direction, Vec3};
-use optics::{Side, Stokes};
+use optics::{Side, Slopes, Stokes};
 use std::sync::Arc;
 
 /// How polarisation is treated.
@@ -49,6 +50,8 @@ pub struct Beam {
     pub stokes: Stokes,
     /// Least number of total internal reflections on its way.
     pub total_reflections: u16,
+    /// How its direction changes with that of the light, if that was asked for.
+    pub slopes: Option<Slopes>,
 }
 
 /// All that becomes of one incident beam: the powers and `absorbed` and `residual` sum to 1.
@@ -143,9 +146,19 @@ impl Panel {
 
     /// The same for light of these Stokes parameters, about the reference axes of its direction and of power one. In the plane
     /// across the cuts s and p light never mix, and the last two parameters, which no power depends on there, are left out.
-    pub fn outcome_of(
+    pub fn outcome_of(&self, wave: (Direction, Stokes), workspace: &mut Workspace) -> Result<Outcome, PanelError> {
+        self.follow(wave, false, workspace)
+    }
+
+    /// The same for unpolarised light, and how each beam moves with it: beams of one direction that part are two.
+    pub fn moving_outcome(&self, incident: Direction, workspace: &mut Workspace) -> Result<Outcome, PanelError> {
+        self.follow((incident, UNPOLARISED), true, workspace)
+    }
+
+    fn follow(
         &self,
         (incident, light): (Direction, Stokes),
+        moves: bool,
         workspace: &mut Workspace,
     ) -> Result<Outcome, PanelError> {
         if !self.profile.is_smooth() {
@@ -153,11 +166,12 @@ impl Panel {
         }
         let mut outcome = Outcome::default();
         if let Some(mirrored) = skimming(incident) {
-            outcome.add(mirrored.vector(), light, 0);
+            let slopes = moves.then_some([[1.0, 0.0], [0.0, 1.0]]);
+            outcome.add(Beam { direction: mirrored, stokes: light, total_reflections: 0, slopes });
             return Ok(outcome);
         }
         let in_plane = is_across_the_cuts(incident);
-        let wave = (incident.vector(), light);
+        let wave = Wave { incident: incident.vector(), light, moves };
         for i in 0..self.spectrum.len() {
             match (self.polarisation, in_plane) {
                 (Polarisation::Averaged, _) => self.add(&mut workspace.averaged, i, wave, &mut outcome),
@@ -183,14 +197,16 @@ impl Panel {
         &self,
         solver: &mut Solver<P>,
         sample: usize,
-        (incident, light): (Vec3, Stokes),
+        Wave { incident, light, moves }: Wave<Stokes>,
         outcome: &mut Outcome,
     ) {
         let Sample { media, weight } = &self.spectrum[sample];
-        solver.solve(&self.profile, media, (incident, P::of_stokes(light)), self.limits);
+        solver.solve(&self.profile, media, Wave { incident, light: P::of_stokes(light), moves }, self.limits);
         for leaving in solver.leaving() {
             let stokes = leaving.light.times(*weight).stokes();
-            outcome.add(solver.direction(leaving.direction), stokes, leaving.total_reflections);
+            let direction = Direction::from_unit(solver.direction(leaving.direction));
+            let slopes = moves.then(|| solver.slopes(leaving.direction));
+            outcome.add(Beam { direction, stokes, total_reflections: leaving.total_reflections, slopes });
         }
         outcome.absorbed += weight * solver.absorbed();
         outcome.displaced += weight * solver.displaced();
@@ -199,7 +215,7 @@ impl Panel {
             outcome.residual += weight * solver.residual();
         } else {
             outcome.residual += weight * solver.lost();
-            finish(solver, &self.walks[sample].0, *weight, outcome);
+            finish(solver, moves, (&self.walks[sample].0, *weight), outcome);
         }
     }
 }
@@ -211,15 +227,20 @@ impl Outcome {
         0.5 * self.walked / f64::from(finish::rays(self.walked)).sqrt()
     }
 
-    /// Adds light to the beam of its direction.
-    pub(crate) fn add(&mut self, direction: Vec3, stokes: Stokes, total_reflections: u16) {
-        let is_same = |b: &&mut Beam| (b.direction.vector() - direction).length_squared() < SAME_DIRECTION;
+    /// Adds light to the beam of its direction, if there is one that moves alike.
+    pub(crate) fn add(&mut self, light: Beam) {
+        let is_same = |b: &&mut Beam| {
+            // most are told apart by their height alone
+            (b.direction.y - light.direction.y).powi(2) < SAME_DIRECTION
+                && (b.direction.vector() - light.direction.vector()).length_squared() < SAME_DIRECTION
+                && move_alike(b.slopes, light.slopes)
+        };
         match self.beams.iter_mut().find(is_same) {
             Some(beam) => {
-                beam.stokes.iter_mut().zip(stokes).for_each(|(sum, x)| *sum += x);
-                beam.total_reflections = beam.total_reflections.min(total_reflections);
+                beam.stokes.iter_mut().zip(light.stokes).for_each(|(sum, x)| *sum += x);
+                beam.total_reflections = beam.total_reflections.min(light.total_reflections);
             }
-            None => self.beams.push(Beam { direction: Direction::from_unit(direction), stokes, total_reflections }),
+            None => self.beams.push(light),
         }
     }
 }

@@ -7,4 +7,4 @@ mod ray;
 
 pub use draw::Draw;
 pub use estimate::{Estimate, estimate_shares};
-pub use ray::{End, Walk};
+pub use ray::{End, Ray, Walk};

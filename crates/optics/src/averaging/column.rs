@@ -1,7 +1,7 @@
 //! One incident cell: where its light goes, by quadrature with exact lobes.
 
 use super::{Averaging, Ports};
-use crate::{Glazing, Lobe, Lobes};
+use crate::{Glazing, Lobe, MovingLobes, Slopes};
 use hemisphere::{Direction, Vec3};
 
 /// Where the light that arrives through one port goes, as shares of it.
@@ -22,13 +22,12 @@ pub(super) struct Column {
 pub(super) struct Sums {
     dense: Vec<f64>,
     used: Vec<u32>,
-    here: Lobes,
-    beside: [Lobes; 2],
+    here: MovingLobes,
 }
 
 impl Sums {
     pub fn new(ports: usize) -> Self {
-        Self { dense: vec![0.0; ports], used: Vec::new(), here: Lobes::default(), beside: Default::default() }
+        Self { dense: vec![0.0; ports], used: Vec::new(), here: MovingLobes::default() }
     }
 
     pub fn add(&mut self, port: usize, share: f64) {
@@ -47,16 +46,12 @@ impl Sums {
     }
 }
 
-/// Step by which the slope of a lobe's direction is found, and how far a lobe may then have moved.
-const STEP: f64 = 1e-6;
-const MOVED: f64 = 1e-3;
-
-/// A lobe whose (x, y) are those of the incident light but for signs, to this, keeps them so over the whole cell.
-const SAME: f64 = 1e-9;
-
 /// Points of a whole cell to which the directions of lobes are carried, and the fewest for one place of the quadrature.
 const CARRIED: f64 = 4096.0;
 const FEWEST_CARRIED: usize = 8;
+/// Lobes of this power or more are carried to all of them, weaker ones to fewer by the root of their power, halved so often at most.
+const WORTH_ALL: f64 = 1e-3;
+const HALVINGS: usize = 8;
 
 /// Places along each coordinate of a part of a cell.
 const PLACES: usize = 3;
@@ -143,13 +138,16 @@ fn quadrature(glazing: &dyn Glazing, ports: &Ports, port: usize, part: Part, sum
             let high_b = low[1] + weight_b;
             let at = ports.cells.place(cell, [*a, *b]);
             let share = weight_a * weight_b;
-            solve(glazing, at, side, sums);
-            column.absorbed += share * sums.here.absorbed;
-            column.residual += share * (sums.here.residual + sums.here.spread);
-            for k in 0..sums.here.beams.len() {
-                let lobe = sums.here.beams[k];
-                carry(ports, cell, at, Part { low, high: [high_a, high_b] }, lobe, sums);
+            let mut here = std::mem::take(&mut sums.here);
+            glazing.moving_lobes(towards(at, side), &mut here);
+            column.absorbed += share * here.lobes.absorbed;
+            column.residual += share * (here.lobes.residual + here.lobes.spread);
+            let part = Part { low, high: [high_a, high_b] };
+            let mut moves = Moves { cell, at, part, lattices: Default::default() };
+            for (&lobe, &slopes) in here.lobes.beams.iter().zip(&here.slopes) {
+                carry(ports, lobe, slopes, &mut moves, sums);
             }
+            sums.here = here;
             low[1] = high_b;
         }
         low[0] = high_a;
@@ -158,62 +156,63 @@ fn quadrature(glazing: &dyn Glazing, ports: &Ports, port: usize, part: Part, sum
     column
 }
 
-/// The lobes at (x, y) on a side; those a step beside it as well, if any of them is not a plain image of the light.
-fn solve(glazing: &dyn Glazing, [x, y]: [f64; 2], side: f64, sums: &mut Sums) {
-    let towards = |x: f64, y: f64| {
-        let z = (1.0 - x * x - y * y).max(1e-18).sqrt();
-        Direction::of(Vec3::new(x, y, side * z)).unwrap_or(Direction::from_unit(Vec3::Z * side))
-    };
-    glazing.lobes(towards(x, y), &mut sums.here);
-    sums.beside.iter_mut().for_each(Lobes::clear);
-    if sums.here.beams.iter().any(|lobe| !is_image([x, y], lobe)) {
-        // towards the middle, which is always a direction
-        glazing.lobes(towards(x - STEP.copysign(x), y), &mut sums.beside[0]);
-        glazing.lobes(towards(x, y - STEP.copysign(y)), &mut sums.beside[1]);
-    }
-}
-
-fn is_image([x, y]: [f64; 2], lobe: &Lobe) -> bool {
-    (lobe.direction.x.abs() - x.abs()).abs() < SAME && (lobe.direction.y.abs() - y.abs()).abs() < SAME
+/// The direction of (x, y) on a side.
+fn towards([x, y]: [f64; 2], side: f64) -> Direction {
+    let z = (1.0 - x * x - y * y).max(1e-18).sqrt();
+    Direction::of(Vec3::new(x, y, side * z)).unwrap_or(Direction::from_unit(Vec3::Z * side))
 }
 
 /// Hands the light of one lobe to the ports that it leaves by, as the incident light moves over its part of the cell
 /// (theory/bsdf_averaging.md, eq. 7).
-fn carry(ports: &Ports, cell: usize, at: [f64; 2], part: Part, lobe: Lobe, sums: &mut Sums) {
-    let (d, share) = (lobe.direction, part.share());
-    let slopes = if is_image(at, &lobe) { None } else { slopes(at, lobe, &sums.beside) };
+fn carry(ports: &Ports, lobe: Lobe, slopes: Option<Slopes>, moves: &mut Moves, sums: &mut Sums) {
+    let (d, power) = (lobe.direction, moves.part.share() * lobe.power);
     let Some([by_x, by_y]) = slopes else {
-        sums.add(ports.returning(d.z, [d.x, d.y]), share * lobe.power);
+        sums.add(ports.returning(d.z, [d.x, d.y]), power);
         return;
     };
-    let points = ((CARRIED * share) as usize).max(FEWEST_CARRIED);
-    for k in 0..points {
-        // a rank-1 lattice: even in both coordinates and in line with no edge
-        let u = [(k as f64 + 0.5) / points as f64, ((k as f64 + 0.5) * LATTICE).fract()];
-        let [x, y] = ports.cells.place(cell, [0, 1].map(|i| part.low[i] + (part.high[i] - part.low[i]) * u[i]));
-        let (dx, dy) = (x - at[0], y - at[1]);
+    let points = moves.worth(ports, lobe.power);
+    let power = power / points.len() as f64;
+    for [dx, dy] in points {
         let (x, y) = (d.x + by_x[0] * dx + by_y[0] * dy, d.y + by_x[1] * dx + by_y[1] * dy);
         // beyond grazing there is no direction: what little gets there leaves along the sheet
         let beyond = x.hypot(y).max(1.0);
-        sums.add(ports.returning(d.z, [x / beyond, y / beyond]), share * lobe.power / points as f64);
+        sums.add(ports.returning(d.z, [x / beyond, y / beyond]), power);
+    }
+}
+
+/// How far the light moves over a part of a cell, from the place of quadrature that answers for it.
+struct Moves {
+    cell: usize,
+    at: [f64; 2],
+    part: Part,
+    /// Lattices of ever half as many points, those that have been asked for.
+    lattices: [Vec<[f64; 2]>; HALVINGS + 1],
+}
+
+impl Moves {
+    /// Points as many as a lobe of this power is worth.
+    fn worth(&mut self, ports: &Ports, power: f64) -> &[[f64; 2]] {
+        let all = (CARRIED * self.part.share()) as usize;
+        // errors go with the power over the points: weak lobes err less with fewer
+        let fewer = (0.5 * (WORTH_ALL / power.max(f64::MIN_POSITIVE)).log2()).clamp(0.0, HALVINGS as f64) as usize;
+        let Self { cell, at, part, lattices } = self;
+        let lattice = &mut lattices[fewer];
+        if lattice.is_empty() {
+            let points = (all >> fewer).max(FEWEST_CARRIED);
+            lattice.extend((0..points).map(|k| {
+                // a rank-1 lattice: even in both coordinates and in line with no edge
+                let u = [(k as f64 + 0.5) / points as f64, ((k as f64 + 0.5) * LATTICE).fract()];
+                let [x, y] =
+                    ports.cells.place(*cell, [0, 1].map(|i| part.low[i] + (part.high[i] - part.low[i]) * u[i]));
+                [x - at[0], y - at[1]]
+            }));
+        }
+        lattice
     }
 }
 
 /// The golden section's step of the lattice.
 const LATTICE: f64 = 0.618_033_988_749_894_9;
-
-/// How (x, y) of a lobe change with x and with y of the incident light; `None` if it is not found beside.
-fn slopes(at: [f64; 2], lobe: Lobe, beside: &[Lobes; 2]) -> Option<[[f64; 2]; 2]> {
-    let d = lobe.direction;
-    let one = |k: usize| {
-        let distance = |other: &&Lobe| (other.direction.vector() - d.vector()).length_squared();
-        let same_side = beside[k].beams.iter().filter(|other| other.direction.z * d.z > 0.0);
-        let other = same_side.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-        let step = -STEP.copysign(at[k]);
-        (distance(&other) < MOVED * MOVED).then(|| [(other.direction.x - d.x) / step, (other.direction.y - d.y) / step])
-    };
-    Some([one(0)?, one(1)?])
-}
 
 /// Sum of the absolute differences of two columns in the order of their ports.
 pub(super) fn difference(a: &[(u32, f64)], b: &[(u32, f64)]) -> f64 {

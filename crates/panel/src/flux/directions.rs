@@ -1,7 +1,8 @@
 //! The directions of one solution: few, for light between flat facets, and each kept once.
 
-use crate::{facet::MediumId, plane::Vec2};
+use crate::{differential::Differential, facet::MediumId, plane::Vec2};
 use hemisphere::Vec3;
+use optics::Slopes;
 
 /// Number of a direction.
 pub type DirectionId = u32;
@@ -18,6 +19,8 @@ struct Entry {
     n: f64,
     /// Index within the section: √(n² − k_x²) (theory/panels.md, eq. 4).
     kappa: f64,
+    /// How it turns with the incident light.
+    turning: Differential,
 }
 
 /// All directions that light of one transverse component k_x has taken.
@@ -25,26 +28,29 @@ struct Entry {
 pub struct Directions {
     entries: Vec<Entry>,
     k_x: f64,
+    tell_apart: bool,
 }
 
 impl Directions {
-    /// Forgets all; from now on k_x, the component along the cuts, is this.
-    pub fn reset(&mut self, k_x: f64) {
+    /// Forgets all; from now on k_x, the component along the cuts, is this. Directions that are one but part as the incident
+    /// light moves may be told apart.
+    pub fn reset(&mut self, k_x: f64, tell_apart: bool) {
         self.entries.clear();
-        self.k_x = k_x;
+        (self.k_x, self.tell_apart) = (k_x, tell_apart);
     }
 
     /// The direction of light from outside, where n is that of the outer medium.
     pub fn enter(&mut self, incident: Vec3, medium: MediumId, n: f64) -> DirectionId {
         self.k_x = n * incident.x;
         let d = Vec2::new(incident.z, incident.y).normalized();
-        self.find(Entry { d, medium, n, kappa: self.kappa(n) })
+        self.find(Entry { d, medium, n, kappa: self.kappa(n), turning: Differential::incident(incident, n) })
     }
 
-    /// A direction in the same medium as `like`.
-    pub fn add(&mut self, d: Vec2, like: DirectionId) -> DirectionId {
-        let entry = self.entries[like as usize];
-        self.find(Entry { d: d.normalized(), ..entry })
+    /// Mirrored by a facet of this normal.
+    pub fn mirror(&mut self, from: DirectionId, normal: Vec2) -> DirectionId {
+        let entry = self.entries[from as usize];
+        let d = entry.d - normal * (2.0 * entry.d.dot(normal));
+        self.find(Entry { d: d.normalized(), turning: entry.turning.mirrored(in_space(normal)), ..entry })
     }
 
     /// Snell within the section: κ_i (d·t) = κ_t (d'·t); `None` if nothing goes through.
@@ -56,7 +62,7 @@ impl Directions {
         medium: MediumId,
         n: f64,
     ) -> Option<DirectionId> {
-        let Entry { d, kappa: kappa_i, .. } = self.entries[from as usize];
+        let Entry { d, kappa: kappa_i, turning, .. } = self.entries[from as usize];
         let kappa = self.kappa(n);
         let along = kappa_i * d.dot(tangent) / kappa;
         let across2 = 1.0 - along * along;
@@ -64,7 +70,8 @@ impl Directions {
             return None;
         }
         let d = tangent * along - normal * across2.sqrt();
-        Some(self.find(Entry { d, medium, n, kappa }))
+        let v = Vec3::new(self.k_x, kappa * d.y, kappa * d.z) / n;
+        Some(self.find(Entry { d, medium, n, kappa, turning: turning.refracted(v, in_space(normal)) }))
     }
 
     /// Unit direction within the section.
@@ -76,6 +83,17 @@ impl Directions {
     pub fn vector(&self, id: DirectionId) -> Vec3 {
         let Entry { d, n, kappa, .. } = self.entries[id as usize];
         Vec3::new(self.k_x, kappa * d.y, kappa * d.z) / n
+    }
+
+    /// How it turns with the incident light.
+    pub fn turning(&self, id: DirectionId) -> Differential {
+        self.entries[id as usize].turning
+    }
+
+    /// Slopes of its (x, y) with those of the incident light.
+    pub fn slopes(&self, id: DirectionId) -> Slopes {
+        let Entry { n, turning, .. } = self.entries[id as usize];
+        turning.slopes(n)
     }
 
     /// Length of the way in space for each unit within the section: n / κ.
@@ -90,11 +108,18 @@ impl Directions {
 
     fn find(&mut self, wanted: Entry) -> DirectionId {
         let is_same = |e: &Entry| {
-            e.medium == wanted.medium && (e.d.z - wanted.d.z).abs() < SAME && (e.d.y - wanted.d.y).abs() < SAME
+            e.medium == wanted.medium
+                && (e.d.z - wanted.d.z).abs() < SAME
+                && (e.d.y - wanted.d.y).abs() < SAME
+                && (!self.tell_apart || e.turning.is_like(wanted.turning))
         };
         self.entries.iter().position(is_same).unwrap_or_else(|| {
             self.entries.push(wanted);
             self.entries.len() - 1
         }) as DirectionId
     }
+}
+
+fn in_space(normal: Vec2) -> Vec3 {
+    Vec3::new(0.0, normal.y, normal.z)
 }

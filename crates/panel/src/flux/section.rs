@@ -150,7 +150,6 @@ fn split(
     let facet = &profile.facets()[hand.facet()];
     let tangent = (facet.end - facet.start).normalized() * hand.sign();
     let normal = tangent.left();
-    let d = directions.in_section(from.direction);
     let v = directions.vector(from.direction);
     let cos_i = -(v.z * normal.z + v.y * normal.y);
     let n_i = media.get(profile.medium(*hand)).n;
@@ -160,7 +159,7 @@ fn split(
     let is_total = interface.is_total(cos_i.clamp(0.0, 1.0));
     let r = interface.reflectance(cos_i.clamp(0.0, 1.0));
     let reflectance = if film.is_some() { film_reflectance(r) } else { r };
-    let mirrored = directions.add(d - normal * (2.0 * d.dot(normal)), from.direction);
+    let mirrored = directions.mirror(from.direction, normal);
     let through = match film {
         Some(_) => Some(from.direction),
         None => directions.refract(from.direction, tangent, normal, beyond, media.get(beyond).n),

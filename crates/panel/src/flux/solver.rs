@@ -13,9 +13,11 @@ use super::{
     payload::{Payload, Turns},
     sight::{Sight, Source, Target, look},
 };
-use crate::{facet::Surface, media::Media, plane::Vec2, profile::Profile, topology::HalfEdge};
+use crate::{
+    differential::Differential, facet::Surface, media::Media, plane::Vec2, profile::Profile, topology::HalfEdge,
+};
 use hemisphere::Vec3;
-use optics::{Interface, Mueller, Split};
+use optics::{Interface, Mueller, Slopes, Split};
 
 /// When to stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +43,17 @@ const STRONG: f64 = 0.25;
 /// Share of the tolerance that joining neighbours may displace in all, and at one joint.
 const DISPLACED_SHARE: f64 = 1.0;
 const MERGE_SHARE: f64 = 1e-3;
+
+/// A plane wave of power one.
+#[derive(Clone, Copy, Debug)]
+pub struct Wave<P> {
+    /// Where it travels: a unit vector with z ≠ 0.
+    pub incident: Vec3,
+    /// What it carries.
+    pub light: P,
+    /// Whether beams that leave along one direction but part as it moves are told apart.
+    pub moves: bool,
+}
 
 /// Light that has left.
 #[derive(Clone, Copy, Debug)]
@@ -146,10 +159,15 @@ impl<P: Payload> Default for Solver<P> {
 }
 
 impl<P: Payload> Solver<P> {
-    /// Follows a plane wave of this `light`, of power one, that travels along `incident` (a unit vector with z ≠ 0) until no more than
-    /// the tolerance waits.
-    pub fn solve(&mut self, profile: &Profile, media: &Media, (incident, light): (Vec3, P), limits: Limits) {
-        self.reset(incident.x);
+    /// Follows a plane wave until no more than the tolerance waits.
+    pub fn solve(
+        &mut self,
+        profile: &Profile,
+        media: &Media,
+        Wave { incident, light, moves }: Wave<P>,
+        limits: Limits,
+    ) {
+        self.reset(incident.x, moves);
         self.allowance = DISPLACED_SHARE * limits.tolerance;
         let medium = if incident.z > 0.0 { profile.front() } else { profile.back() };
         let direction = self.directions.enter(incident, medium, media.get(medium).n);
@@ -187,6 +205,16 @@ impl<P: Payload> Solver<P> {
         self.directions.vector(id)
     }
 
+    /// How it turns with the incident light.
+    pub fn turning(&self, id: DirectionId) -> Differential {
+        self.directions.turning(id)
+    }
+
+    /// Slopes of (x, y) of the direction of `id` with those of the incident light.
+    pub fn slopes(&self, id: DirectionId) -> Slopes {
+        self.directions.slopes(id)
+    }
+
     /// Share of the power absorbed.
     pub fn absorbed(&self) -> f64 {
         self.absorbed
@@ -218,15 +246,14 @@ impl<P: Payload> Solver<P> {
     }
 
     /// What still waits: where, in which direction, over which stretch of the facet.
-    pub fn waiting(&self) -> impl Iterator<Item = (HalfEdge, Vec3, Part<P>)> {
-        self.bundles[..self.bundle_count].iter().flat_map(|b| {
-            let vector = self.directions.vector(b.direction);
-            b.density.lit().map(move |part| (b.at, vector, part))
-        })
+    pub fn waiting(&self) -> impl Iterator<Item = (HalfEdge, DirectionId, Part<P>)> {
+        self.bundles[..self.bundle_count]
+            .iter()
+            .flat_map(|b| b.density.lit().map(move |part| (b.at, b.direction, part)))
     }
 
-    fn reset(&mut self, k_x: f64) {
-        self.directions.reset(k_x);
+    fn reset(&mut self, k_x: f64, tell_apart: bool) {
+        self.directions.reset(k_x, tell_apart);
         self.channels.clear();
         self.stretches.clear();
         self.bundle_count = 0;
@@ -276,7 +303,6 @@ impl<P: Payload> Solver<P> {
         let tangent = (facet.end - facet.start).normalized() * at.sign();
         // the normal points back to the side the light comes from
         let normal = tangent.left();
-        let d = self.directions.in_section(direction);
         let arriving = self.directions.vector(direction);
         let cos_i = -(arriving.z * normal.z + arriving.y * normal.y);
         let n_i = media.get(profile.medium(at)).n;
@@ -285,7 +311,7 @@ impl<P: Payload> Solver<P> {
             Surface::Interface => (false, media.get(profile.medium(at.other())).n),
         };
         let split = Interface { n_i, n_t }.split(cos_i.clamp(0.0, 1.0));
-        let mirrored = self.directions.add(d - normal * (2.0 * d.dot(normal)), direction);
+        let mirrored = self.directions.mirror(direction, normal);
         let through = match split {
             Split::Total { .. } => None,
             Split::Partial { .. } if film => Some(direction),

@@ -143,6 +143,11 @@ impl Geometry {
         self.through_copies(None, at, Vec2::new(v.z, v.y))
     }
 
+    /// The medium that light travelling along `v` leaves into.
+    pub fn outside(&self, v: Vec3) -> u8 {
+        if v.z > 0.0 { self.outside.1 } else { self.outside.0 }
+    }
+
     /// The medium a hand looks at.
     #[inline]
     pub fn medium(&self, hand: HalfEdge) -> u8 {

@@ -5,6 +5,7 @@ use super::{
     geometry::{Geometry, Meeting},
 };
 use crate::{
+    differential::Differential,
     facet::{Facet, Finish, MediumId, Surface},
     flux::film_reflectance,
     media::{Media, Optical},
@@ -14,7 +15,7 @@ use crate::{
     topology::HalfEdge,
 };
 use hemisphere::{Direction, Frame, Vec3};
-use optics::{Interface, Mueller, Retarder, Split, mirror, reference_axes, refract};
+use optics::{Interface, Mueller, Retarder, Slopes, Split, mirror, reference_axes, refract};
 
 /// Facets a ray may meet before it is given up: only light that is all but trapped gets here.
 const MOST_MEETINGS: u32 = 20_000;
@@ -59,14 +60,24 @@ pub struct Walk {
 
 /// A ray on its way.
 #[derive(Clone, Copy, Debug)]
-struct Ray {
-    v: Vec3,
+pub struct Ray {
+    pub(crate) v: Vec3,
     /// First axis that its polarisation refers to, across `v`.
-    s: Vec3,
+    pub(crate) s: Vec3,
     /// Q, U, V over the power.
-    polarisation: [f64; 3],
-    weight: f64,
-    total_reflections: u16,
+    pub(crate) polarisation: [f64; 3],
+    pub(crate) weight: f64,
+    pub(crate) total_reflections: u16,
+    /// How it turns with the light that it came of, if that is asked for.
+    pub(crate) turning: Option<Differential>,
+}
+
+impl Ray {
+    /// Along `v`, with Stokes parameters over the power about the reference axes of `v`.
+    pub(crate) fn new(v: Vec3, polarisation: [f64; 3]) -> Self {
+        let s = reference_axes(v).0;
+        Self { v, s, polarisation, weight: 1.0, total_reflections: 0, turning: None }
+    }
 }
 
 impl Walk {
@@ -98,8 +109,7 @@ impl Walk {
             return (end, polarisation);
         }
         let incident = incident.vector();
-        let mut ray =
-            Ray { v: incident, s: reference_axes(incident).0, polarisation, weight: 1.0, total_reflections: 0 };
+        let mut ray = Ray::new(incident, polarisation);
         match self.geometry.enter(draw.uniform(), incident) {
             Meeting::Facet(hand, at, _) => {
                 let end = self.follow(&mut ray, hand, at, draw);
@@ -112,18 +122,12 @@ impl Walk {
         }
     }
 
-    /// Follows light that arrives along `v` at share `s` of the facet of `hand`, with Stokes parameters over its power.
-    pub fn resume(
-        &self,
-        hand: HalfEdge,
-        s: f64,
-        v: Vec3,
-        polarisation: [f64; 3],
-        total_reflections: u16,
-        draw: &mut Draw,
-    ) -> End {
-        let mut ray = Ray { v, s: reference_axes(v).0, polarisation, weight: 1.0, total_reflections };
-        self.follow(&mut ray, hand, self.geometry.point(hand, s), draw)
+    /// Follows light that arrives as `ray` at share `s` of the facet of `hand`, and returns the slopes it leaves with, if it was
+    /// known how it turns.
+    pub fn resume(&self, hand: HalfEdge, s: f64, mut ray: Ray, draw: &mut Draw) -> (End, Option<Slopes>) {
+        let end = self.follow(&mut ray, hand, self.geometry.point(hand, s), draw);
+        let n = self.media.get(self.geometry.outside(ray.v)).n;
+        (end, ray.turning.map(|turning| turning.slopes(n)))
     }
 
     fn follow(&self, ray: &mut Ray, mut hand: HalfEdge, mut at: Vec2, draw: &mut Draw) -> End {
@@ -189,6 +193,10 @@ impl Walk {
         let side = v.dot(smooth);
         let goes_wrong = if is_mirrored { side <= 0.0 } else { side >= 0.0 };
         ray.v = if goes_wrong { v - 2.0 * side * smooth } else { v };
+        // of smooth facets alone: others send out no beams
+        ray.turning = ray
+            .turning
+            .map(|turning| if is_mirrored { turning.mirrored(normal) } else { turning.refracted(ray.v, normal) });
         if is_mirrored { hand } else { hand.other() }
     }
 
