@@ -10,6 +10,10 @@ pub type DirectionId = u32;
 /// Directions nearer than this are one.
 const SAME: f64 = 1e-11;
 
+/// Bins of the height of directions, in which they are looked for, and the end of each list.
+const BINS: usize = 128;
+const NONE: DirectionId = DirectionId::MAX;
+
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     /// Unit direction within the section.
@@ -27,6 +31,9 @@ struct Entry {
 #[derive(Debug, Default)]
 pub struct Directions {
     entries: Vec<Entry>,
+    /// The last entry of each bin of y, and before each entry the one before it in its bin.
+    last: Vec<u32>,
+    before: Vec<u32>,
     k_x: f64,
     tell_apart: bool,
 }
@@ -36,6 +43,9 @@ impl Directions {
     /// light moves may be told apart.
     pub fn reset(&mut self, k_x: f64, tell_apart: bool) {
         self.entries.clear();
+        self.before.clear();
+        self.last.clear();
+        self.last.resize(BINS, NONE);
         (self.k_x, self.tell_apart) = (k_x, tell_apart);
     }
 
@@ -113,10 +123,20 @@ impl Directions {
                 && (e.d.y - wanted.d.y).abs() < SAME
                 && (!self.tell_apart || e.turning.is_like(wanted.turning))
         };
-        self.entries.iter().position(is_same).unwrap_or_else(|| {
-            self.entries.push(wanted);
-            self.entries.len() - 1
-        }) as DirectionId
+        let bin = |y: f64| (((y + 1.0) * (0.5 * BINS as f64)) as usize).min(BINS - 1);
+        for bin in bin(wanted.d.y - SAME)..=bin(wanted.d.y + SAME) {
+            let mut id = self.last[bin];
+            while id != NONE {
+                if is_same(&self.entries[id as usize]) {
+                    return id;
+                }
+                id = self.before[id as usize];
+            }
+        }
+        let (id, bin) = (self.entries.len() as DirectionId, bin(wanted.d.y));
+        self.before.push(std::mem::replace(&mut self.last[bin], id));
+        self.entries.push(wanted);
+        id
     }
 }
 

@@ -56,6 +56,7 @@ pub fn strips(
 ) -> Vec<Strip> {
     let mut directions = Directions::default();
     let medium = if incident.z > 0.0 { profile.front() } else { profile.back() };
+    directions.reset(0.0, false);
     let direction = directions.enter(incident, medium, media.get(medium).n);
     let (z_min, z_max) = profile.z_range();
     let z = if incident.z > 0.0 { z_min } else { z_max };

@@ -6,6 +6,7 @@
 //! (theory/panels.md, section "The exact solver").
 
 mod emission;
+mod places;
 
 use super::{
     density::{Density, Part, Piece},
@@ -18,6 +19,7 @@ use crate::{
 };
 use hemisphere::Vec3;
 use optics::{Interface, Mueller, Slopes, Split};
+use places::Places;
 
 /// When to stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,8 +71,6 @@ pub struct Leaving<P> {
 /// Light leaving one hand of a facet in one direction: what it sees.
 #[derive(Clone, Copy, Debug)]
 struct Channel {
-    from: HalfEdge,
-    direction: DirectionId,
     /// Its stretches, in `Solver::stretches`.
     first: u32,
     last: u32,
@@ -114,6 +114,7 @@ struct Bundle<P: Payload> {
 #[derive(Debug)]
 pub struct Solver<P: Payload> {
     directions: Directions,
+    places: Places,
     channels: Vec<Channel>,
     stretches: Vec<Stretch>,
     bundles: Vec<Bundle<P>>,
@@ -138,6 +139,7 @@ impl<P: Payload> Default for Solver<P> {
     fn default() -> Self {
         Self {
             directions: Directions::default(),
+            places: Places::default(),
             channels: Vec::new(),
             stretches: Vec::new(),
             bundles: Vec::new(),
@@ -168,6 +170,7 @@ impl<P: Payload> Solver<P> {
         limits: Limits,
     ) {
         self.reset(incident.x, moves);
+        self.places.reset(2 * profile.facets().len());
         self.allowance = DISPLACED_SHARE * limits.tolerance;
         let medium = if incident.z > 0.0 { profile.front() } else { profile.back() };
         let direction = self.directions.enter(incident, medium, media.get(medium).n);
@@ -347,9 +350,8 @@ impl<P: Payload> Solver<P> {
 
     /// The channel from this hand in this direction, opened on first use.
     fn channel(&mut self, profile: &Profile, media: &Media, from: HalfEdge, direction: DirectionId) -> u32 {
-        let known = self.channels.iter().position(|c| c.direction == direction && c.from == from);
-        if let Some(i) = known {
-            return i as u32;
+        if let Some(known) = self.places.channel(from, direction) {
+            return known;
         }
         let facet = &profile.facets()[from.facet()];
         let source = Source { start: facet.start, end: facet.end, hand: Some(from), medium: profile.medium(from) };
@@ -370,18 +372,21 @@ impl<P: Payload> Solver<P> {
         }
         self.sights = sights;
         let absorption = media.get(source.medium).absorption * self.directions.lengthening(direction);
+        let number = self.channels.len() as u32;
+        self.channels.push(Channel { first, last: self.stretches.len() as u32, absorption });
         // the sky is no facet: its channel is found by no later search
-        let from = source.hand.unwrap_or(HalfEdge(u32::MAX));
-        self.channels.push(Channel { from, direction, first, last: self.stretches.len() as u32, absorption });
-        (self.channels.len() - 1) as u32
+        if let Some(from) = source.hand {
+            self.places.set_channel(from, direction, number);
+        }
+        number
     }
 
     fn bundle(&mut self, at: HalfEdge, direction: DirectionId) -> u32 {
-        let known = self.bundles[..self.bundle_count].iter().position(|b| b.direction == direction && b.at == at);
-        if let Some(i) = known {
-            return i as u32;
+        if let Some(known) = self.places.bundle(at, direction) {
+            return known;
         }
         let i = self.bundle_count;
+        self.places.set_bundle(at, direction, i as u32);
         if i == self.bundles.len() {
             self.bundles.push(Bundle { at, direction, density: Density::default(), exits: None });
         } else {
@@ -395,10 +400,12 @@ impl<P: Payload> Solver<P> {
     }
 
     fn exit(&mut self, direction: DirectionId) -> u32 {
-        let known = self.leaving.iter().position(|l| l.direction == direction);
-        known.unwrap_or_else(|| {
-            self.leaving.push(Leaving { direction, light: P::ZERO, total_reflections: u16::MAX });
-            self.leaving.len() - 1
-        }) as u32
+        if let Some(known) = self.places.leaving(direction) {
+            return known;
+        }
+        let number = self.leaving.len() as u32;
+        self.leaving.push(Leaving { direction, light: P::ZERO, total_reflections: u16::MAX });
+        self.places.set_leaving(direction, number);
+        number
     }
 }
