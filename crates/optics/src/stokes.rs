@@ -128,12 +128,20 @@ impl Mueller {
     /// The Stokes vector after this map.
     #[inline]
     pub fn apply(&self, stokes: Stokes) -> Stokes {
-        self.0.map(|row| row[0] * stokes[0] + row[1] * stokes[1] + row[2] * stokes[2] + row[3] * stokes[3])
+        let [a, b, c, d] = &self.0;
+        let row = |r: &Stokes| r[0] * stokes[0] + r[1] * stokes[1] + r[2] * stokes[2] + r[3] * stokes[3];
+        [row(a), row(b), row(c), row(d)]
     }
 
     /// This map after `first`.
     pub fn after(&self, first: &Self) -> Self {
-        Self(std::array::from_fn(|i| std::array::from_fn(|j| (0..4).map(|k| self.0[i][k] * first.0[k][j]).sum())))
+        let mut product = [[0.0; 4]; 4];
+        for (row, of) in product.iter_mut().zip(&self.0) {
+            for (factor, other) in of.iter().zip(&first.0) {
+                row.iter_mut().zip(other).for_each(|(sum, x)| *sum += factor * x);
+            }
+        }
+        Self(product)
     }
 }
 

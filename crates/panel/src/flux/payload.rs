@@ -110,7 +110,7 @@ impl Payload for [f64; 2] {
     }
     #[inline]
     fn largest(self) -> f64 {
-        self.iter().fold(0.0, |most: f64, x| most.max(x.abs()))
+        self[0].abs().max(self[1].abs())
     }
     #[inline]
     fn plus(self, other: Self) -> Self {
@@ -118,7 +118,7 @@ impl Payload for [f64; 2] {
     }
     #[inline]
     fn times(self, factor: f64) -> Self {
-        self.map(|x| x * factor)
+        [self[0] * factor, self[1] * factor]
     }
     #[inline]
     fn after(self, action: &[f64; 2]) -> Self {
@@ -146,7 +146,8 @@ impl Payload for [f64; 2] {
 
 /// Full polarisation, in skew planes of incidence too.
 impl Payload for Stokes {
-    type Action = Mueller;
+    /// Column by column: one multiplication of all components by each.
+    type Action = [Stokes; 4];
     const ZERO: Self = [0.0; 4];
 
     #[inline]
@@ -155,7 +156,7 @@ impl Payload for Stokes {
     }
     #[inline]
     fn largest(self) -> f64 {
-        self.iter().fold(0.0, |most: f64, x| most.max(x.abs()))
+        self[0].abs().max(self[1].abs()).max(self[2].abs().max(self[3].abs()))
     }
     #[inline]
     fn plus(self, other: Self) -> Self {
@@ -163,23 +164,26 @@ impl Payload for Stokes {
     }
     #[inline]
     fn times(self, factor: f64) -> Self {
-        self.map(|x| x * factor)
+        [self[0] * factor, self[1] * factor, self[2] * factor, self[3] * factor]
     }
     #[inline]
-    fn after(self, action: &Mueller) -> Self {
-        action.apply(self)
+    fn after(self, action: &[Stokes; 4]) -> Self {
+        let [a, b, c, d] = action;
+        let component = |i: usize| a[i] * self[0] + b[i] * self[1] + c[i] * self[2] + d[i] * self[3];
+        [component(0), component(1), component(2), component(3)]
     }
 
-    fn actions(split: Split, is_film: bool, turns: impl FnOnce() -> Turns) -> Actions<Mueller> {
+    fn actions(split: Split, is_film: bool, turns: impl FnOnce() -> Turns) -> Actions<[Stokes; 4]> {
         let turns = turns();
         let (reflected, transmitted) = if is_film {
             (Retarder::reflected_by_film(split), Retarder::transmitted_by_film(split))
         } else {
             (Retarder::reflected(split), Retarder::transmitted(split))
         };
+        let columns = |m: Mueller| std::array::from_fn(|j| std::array::from_fn(|i| m.0[i][j]));
         Actions {
-            reflected: turns.mirrored.after(&reflected.mueller()).after(&turns.arriving),
-            transmitted: turns.through.after(&transmitted.mueller()).after(&turns.arriving),
+            reflected: columns(turns.mirrored.after(&reflected.mueller()).after(&turns.arriving)),
+            transmitted: columns(turns.through.after(&transmitted.mueller()).after(&turns.arriving)),
         }
     }
 
