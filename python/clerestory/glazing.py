@@ -181,14 +181,17 @@ class Stack:
     def glazing(self) -> _native.Glazing:
         """The compiled half: polarisation resolved, daylight as the eye weighs it.
 
-        With a BSDF among the layers it is their combined matrices in the full Klems basis.
+        Panels follow all but 1e-4 of the light they meet, as where one fills a window alone; of very many beams those
+        weaker than 1e-3 are put together within 0.1° to 0.4° (theory/layers.md, eq. 13). With a BSDF among the layers
+        it is their combined matrices in the full Klems basis.
         """
         from clerestory.layers.matrices import layered_stack
         from clerestory.layers.optics import stack_optics
+        from clerestory.panels.optics import WINDOW_TOLERANCE
 
         if any(self._is_spreading(layer) for layer in self.glazings):
             return layered_stack(self, basis="klems_full").bsdf.blurred_glazing()
-        return stack_optics(self, wavelength_nm=None, polarisation="resolved", tolerance=_TOLERANCE)[0].glazing()
+        return stack_optics(self, wavelength_nm=None, polarisation="resolved", tolerance=WINDOW_TOLERANCE)[0].glazing()
 
     def lobes(
         self,
@@ -216,7 +219,9 @@ class Stack:
         -------
         Dataset over ``lobe``, strongest first, and ``layer``, the outermost 1
             As of :meth:`Panel.lobes`, with ``layer_absorptance`` (layer) [0..1 of the incident]. Powers,
-            ``layer_absorptance`` and the attribute ``residual`` add to 1.
+            ``layer_absorptance`` and the attribute ``residual`` add to 1. Attribute ``walked``: the share that panels
+            of odd angles send into ever new directions and that a quasi-random walk followed from layer to layer;
+            ``walked_standard_error``: of any share by that, at most.
 
         Raises
         ------
@@ -225,7 +230,7 @@ class Stack:
 
         Notes
         -----
-        theory/layers.md, eqs. 5 and 6.
+        theory/layers.md, eqs. 5, 6, 11 and 12.
         """
         from clerestory.layers.light import stack_lobes
 

@@ -55,13 +55,14 @@ def sun_coefficients(
     -------
     Dataset, dims ("sensor", "sun") [1]
         `direct`, `redirected` and `interreflected`, each with `…_standard_error`. With dims ("sun",): `cut_off`, the
-        summed strength, in the same measure, of the beams that were not followed to another turn (see Notes).
+        summed strength, in the same measure, of the beams that were not followed to another turn and of light of which
+        no direction is known (see Notes).
 
     Raises
     ------
     ClerestoryError
-        If the room is wrong, a sun is below the horizon, or a window's light has no definite directions, as a rough
-        panel's: fill the window with its ``panel.bsdf().blurred()``.
+        If the room is wrong, a sun is below the horizon, or more than 3e-3 of a window's light has no definite
+        directions, as a rough panel's: fill the window with its ``panel.bsdf().blurred()``.
 
     Warns
     -----
@@ -81,6 +82,11 @@ def sun_coefficients(
     followed to another turn, nor are more than 1024 directions of one sun, the strongest first. Mirrors together may
     have 256 directions of their normals and 1024 facets, the flattest being followed first. Whatever light mirrors
     throw counts as `direct`, unless a window totally reflects it on the way.
+
+    What a window's exact lobes leave without a direction (up to 1e-4 of what each panel meets) is missing; `cut_off`
+    holds it as if it left square to the window. A stack of prisms of odd angles sends thousands of weak beams: its
+    shares have a standard error of up to 2e-4, and beams below 1e-3 are put together within 0.1° to 0.4°
+    (theory/layers.md, eqs. 11 to 13).
 
     What a window spreads, as a `Bsdf` does, counts as `direct`: its points glow under the sun and are looked at
     (theory/room.md, eq. 14).
@@ -122,7 +128,8 @@ def sun_coefficients(
         for part in PARTS
         for name in (part, f"{part}_standard_error")
     }
-    variables["cut_off"] = ("sun", traced["cut_off"], {"units": "1", "long_name": "beams not followed to another turn"})
+    attributes = {"units": "1", "long_name": "beams not followed, and light without a direction"}
+    variables["cut_off"] = ("sun", traced["cut_off"], attributes)
     return xr.Dataset(
         variables,
         coords={

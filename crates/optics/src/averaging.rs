@@ -221,7 +221,7 @@ pub fn has_lobes(glazing: &dyn Glazing) -> bool {
         let z = side * f64::sqrt(1.0 - x * x - y * y);
         Direction::of(Vec3::new(x, y, z)).is_some_and(|incident| {
             glazing.lobes(incident, &mut lobes);
-            lobes.residual + lobes.spread < STRAY
+            lobes.residual + lobes.spread + lobes.walked < STRAY
         })
     })
 }

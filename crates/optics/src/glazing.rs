@@ -7,8 +7,8 @@ mod stack;
 
 pub use clear::ClearGlazing;
 pub use moving::{MovingLobes, Slopes, stays_image};
-pub use polarised::{PolarisedLobe, PolarisedLobes};
-pub use stack::{LayerShares, Stack, StackLobe, StackLobes};
+pub use polarised::{LitLobe, LitLobes, PolarisedLobe, PolarisedLobes};
+pub use stack::{LayerShares, Stack, StackLobes};
 
 use hemisphere::{Direction, Vec3};
 
@@ -63,13 +63,15 @@ pub struct Lobes {
     pub spread: f64,
     /// Share of the incident power not followed to its end.
     pub residual: f64,
+    /// Share of the incident power that a stack's walk followed, as part of the beams: these are good to the standard error of that.
+    pub walked: f64,
 }
 
 impl Lobes {
     /// Forgets everything but keeps the memory.
     pub fn clear(&mut self) {
         self.beams.clear();
-        (self.absorbed, self.spread, self.residual) = (0.0, 0.0, 0.0);
+        (self.absorbed, self.spread, self.residual, self.walked) = (0.0, 0.0, 0.0, 0.0);
     }
 }
 
@@ -130,6 +132,14 @@ pub trait Glazing: Send + Sync {
         let mut lobes = Lobes::default();
         self.lobes(incident, &mut lobes);
         out.depolarised(&lobes);
+    }
+
+    /// As [`Self::polarised_lobes`], for light of these Stokes parameters over its power alone: a quarter of the work, where light of
+    /// one polarisation comes once.
+    fn lit_lobes(&self, incident: Direction, polarisation: [f64; 3], out: &mut LitLobes) {
+        let mut lobes = PolarisedLobes::default();
+        self.polarised_lobes(incident, &mut lobes);
+        lobes.lit(polarisation, out);
     }
 
     /// As [`Self::scatter`], for light of these Stokes parameters over its power, about the reference axes of its direction;

@@ -16,8 +16,8 @@ pub use averaging::{Averaging, Cells, Exchange, Way, has_lobes, isotropic_trees}
 pub use bsdf::{Block, Blocks, Bsdf, Matrix, Tree, TreeWriter};
 pub use error::OpticsError;
 pub use glazing::{
-    ClearGlazing, Glazing, LayerShares, Lobe, Lobes, MovingLobes, PolarisedLobe, PolarisedLobes, Scattered, Side,
-    Slopes, Stack, StackLobe, StackLobes, Straight, stays_image,
+    ClearGlazing, Glazing, LayerShares, LitLobe, LitLobes, Lobe, Lobes, MovingLobes, PolarisedLobe, PolarisedLobes,
+    Scattered, Side, Slopes, Stack, StackLobes, Straight, stays_image,
 };
 pub use interface::{Interface, Split, mirror, refract};
 pub use medium::{Absorption, Dispersion, Law, Medium, Table, medium_names};

@@ -7,8 +7,8 @@ use crate::{
 };
 use hemisphere::Direction;
 use optics::{
-    Glazing, Lobe, Lobes, MovingLobes, Mueller, PolarisedLobe, PolarisedLobes, Scattered, Stokes, Straight,
-    formulas::slab, stays_image,
+    Glazing, LitLobe, LitLobes, Lobe, Lobes, MovingLobes, Mueller, PolarisedLobe, PolarisedLobes, Scattered, Stokes,
+    Straight, formulas::slab, stays_image,
 };
 use std::cell::RefCell;
 
@@ -101,6 +101,19 @@ impl Glazing for Panel {
                 }
             }
         }
+    }
+
+    fn lit_lobes(&self, incident: Direction, [q, u, v]: [f64; 3], out: &mut LitLobes) {
+        *out = LitLobes::default();
+        let light = [1.0, q, u, v];
+        let Ok(found) = WORKSPACE.with_borrow_mut(|workspace| self.outcome_of((incident, light), workspace)) else {
+            out.residual = 1.0;
+            return;
+        };
+        let lobe =
+            |b: &Beam| LitLobe { direction: b.direction, stokes: b.stokes, total_reflections: b.total_reflections };
+        out.beams.extend(found.beams.iter().map(lobe));
+        (out.absorbed, out.residual) = (found.absorbed, found.residual);
     }
 
     fn polarised_scatter(&self, incident: Direction, polarisation: [f64; 3], u: [f64; 3]) -> (Scattered, [f64; 3]) {
@@ -203,7 +216,7 @@ mod tests {
         for _ in 0..n {
             let u = std::array::from_fn(|_| rng.uniform());
             if let Scattered::Leaves { direction, .. } = stack.scatter(d, u) {
-                let same = |b: &optics::StackLobe| (b.direction.vector() - direction.vector()).length_squared() < 1e-16;
+                let same = |b: &optics::LitLobe| (b.direction.vector() - direction.vector()).length_squared() < 1e-16;
                 counts[found.beams.iter().position(same).expect("a known beam")] += 1.0;
             }
         }
@@ -213,8 +226,7 @@ mod tests {
             let (p, n) = (beam.stokes[0], f64::from(n));
             let sigma = (p * (1.0 - p) / n).sqrt();
             assert!((count / n - p).abs() < 4.5 * sigma + 1e-5, "{p} {}", count / n);
-            let same =
-                |b: &&optics::StackLobe| (b.direction.vector() - beam.direction.vector()).length_squared() < 1e-16;
+            let same = |b: &&optics::LitLobe| (b.direction.vector() - beam.direction.vector()).length_squared() < 1e-16;
             let without = averaged.beams.iter().find(same).expect("the same beams").stokes[0];
             furthest = furthest.max((without - p).abs() / sigma);
         }

@@ -31,7 +31,7 @@ impl PyStack {
     }
 
     /// Where the light of one plane wave goes: directions (lobe, 3), Stokes vectors (lobe, 4), least total reflections (lobe,),
-    /// absorptance (layer,) and residual.
+    /// absorptance (layer,), then residual, walked and the walk's standard error at most.
     #[allow(clippy::type_complexity)]
     fn lobes<'py>(
         &self,
@@ -42,7 +42,7 @@ impl PyStack {
         Bound<'py, PyArray2<f64>>,
         Bound<'py, PyArray1<u16>>,
         Bound<'py, PyArray1<f64>>,
-        f64,
+        [f64; 3],
     )> {
         let incident = directions("incident", &incident)?;
         let [incident] = incident[..] else { return Err(mistake("incident must be one direction")) };
@@ -56,7 +56,7 @@ impl PyStack {
             stokes.into_pyarray(py),
             reflections.into_pyarray(py),
             found.absorptance.into_pyarray(py),
-            found.residual,
+            [found.residual, found.walked, found.walked_variance.sqrt()],
         ))
     }
 

@@ -196,6 +196,33 @@ fn rough_panel_has_no_exact_sun() {
     assert!(matches!(found, Err(RoomError::NoLobes { ref name, .. }) if name == "window"));
 }
 
+/// A window of which a little light has no direction lets the rest in, and the little counts as cut off; more is refused.
+#[test]
+fn light_without_a_direction_is_told() {
+    struct Leaky(f64);
+    impl Glazing for Leaky {
+        fn lobes(&self, incident: Direction, out: &mut Lobes) {
+            out.clear();
+            out.beams.push(Lobe { direction: incident, power: 1.0 - self.0, total_reflections: 0 });
+            out.residual = self.0;
+        }
+        fn scatter(&self, incident: Direction, _: [f64; 3]) -> Scattered {
+            Scattered::Leaves { direction: incident, total_reflections: 0 }
+        }
+    }
+    let towards_sun = sun(45.0, 180.0);
+    let lit = Vec3::new(2.0, 0.0, 1.8) - 0.5 * towards_sun;
+    let found = |residual: f64| {
+        let room = Shoebox { reflectances: [0.0; 3], ..Shoebox::reference() };
+        let scene = room.builder(Arc::new(Leaky(residual))).build().expect("sound");
+        sun_coefficients(&scene, &[lit], &[Vec3::Z], &[towards_sun], 1, &Settings::default(), |_| true)
+    };
+    let little = found(2.5e-3).expect("few per mille are told, not refused");
+    assert!((little.direct.value[0] - 0.9975 * towards_sun.z).abs() < 0.005);
+    assert!((little.cut_off[0] - 2.5e-3 * -towards_sun.y).abs() < 3e-5, "{}", little.cut_off[0]);
+    assert!(matches!(found(3.5e-3), Err(RoomError::NoLobes { residual, .. }) if (residual - 3.5e-3).abs() < 1e-12));
+}
+
 /// Two panes one behind the other, each a window of its own, let through what both together do; a third that turns light lets
 /// the sun in through them from either side.
 #[test]

@@ -42,7 +42,7 @@ def stack_lobes(
     refuse_rough(stack)
     wavelength = None if wavelength_nm is None else number("wavelength_nm", wavelength_nm)
     optics, at = stack_optics(stack, wavelength_nm=wavelength, polarisation=polarisation, tolerance=tolerance)
-    directions, stokes, total_reflections, absorptance, residual = optics.lobes(
+    directions, stokes, total_reflections, absorptance, (residual, walked, walked_error) = optics.lobes(
         incident_directions(elevation, azimuth, side)
     )
     # strongest first; a way that carries nothing is no lobe
@@ -72,6 +72,8 @@ def stack_lobes(
     attributes = provenance(
         absorbed=float(absorptance.sum()),
         residual=residual,
+        walked=walked,
+        walked_standard_error=walked_error,
         layers=stack_described(stack),
         elevation_deg=float(elevation[0]),
         azimuth_deg=float(azimuth[0]),

@@ -24,7 +24,42 @@ pub struct PolarisedLobes {
     pub residual: f64,
 }
 
+/// One parallel beam that leaves, of light whose polarisation is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LitLobe {
+    /// Where it travels, in the element's axes.
+    pub direction: Direction,
+    /// Power, as a share of the incident, and polarisation about the reference axes of the direction.
+    pub stokes: Stokes,
+    /// Least number of total internal reflections on the way.
+    pub total_reflections: u16,
+}
+
+/// Every beam that leaves when light of one polarisation comes in; powers, `absorbed` and `residual` add to 1.
+#[derive(Clone, Debug, Default)]
+pub struct LitLobes {
+    /// The beams, no two of one direction.
+    pub beams: Vec<LitLobe>,
+    /// Share of the power absorbed.
+    pub absorbed: f64,
+    /// Share of the power not followed to its end.
+    pub residual: f64,
+}
+
 impl PolarisedLobes {
+    /// What becomes of light of these Stokes parameters over its power.
+    pub fn lit(&self, [q, u, v]: [f64; 3], out: &mut LitLobes) {
+        let light = [1.0, q, u, v];
+        out.beams.clear();
+        out.beams.extend(self.beams.iter().map(|beam| LitLobe {
+            direction: beam.direction,
+            stokes: beam.mueller.apply(light),
+            total_reflections: beam.total_reflections,
+        }));
+        out.absorbed = self.absorbed().iter().zip(light).map(|(a, x)| a * x).sum();
+        out.residual = self.residual;
+    }
+
     /// Beams of an element of which only powers are known: what leaves is unpolarised, whatever arrives.
     pub fn depolarised(&mut self, lobes: &Lobes) {
         self.beams.clear();

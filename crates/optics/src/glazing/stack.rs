@@ -1,27 +1,33 @@
 //! Layers one behind the other with air between: double glazing, a panel between panes.
 
 mod adding;
+mod finishing;
 mod following;
+mod gathering;
+mod states;
 
-use super::{Glazing, Lobe, Lobes, PolarisedLobe, PolarisedLobes, Scattered, Straight, clear::mirror_image, polarised};
+use super::{
+    Glazing, LitLobe, LitLobes, Lobe, Lobes, PolarisedLobe, PolarisedLobes, Scattered, Straight, clear::mirror_image,
+    polarised,
+};
 use crate::OpticsError;
 use crate::stokes::{Mueller, Stokes};
 use adding::{added, added_with_absorptance, averaged, straight_layers};
-use following::{entered, follow, met, same};
+use finishing::{End, Ray, walk};
+use following::follow;
+use gathering::{gathered, joined};
 use hemisphere::{Direction, Rng};
+use states::same;
 use std::sync::Arc;
 
 pub use adding::LayerShares;
-pub use following::{StackLobe, StackLobes};
+pub use following::StackLobes;
 
 /// Layers of glazing, the outermost first, with air between them, at one or several wavelengths.
 pub struct Stack {
     spectrum: Vec<(Vec<Arc<dyn Glazing>>, f64)>,
     is_resolved: bool,
 }
-
-/// Meetings with a layer after which a drawn ray is given up.
-const MOST_MEETINGS: usize = 20_000;
 
 impl Stack {
     /// Layers, the outermost first; polarisation is carried from one to the next.
@@ -68,6 +74,7 @@ impl Stack {
         for (layers, weight) in &self.spectrum {
             follow(layers, self.is_resolved, (incident, stokes), *weight, &mut out);
         }
+        out.beams = joined(&out.beams);
         out
     }
 
@@ -98,9 +105,9 @@ impl Stack {
     }
 
     fn shares_of_beams(&self, incident: Direction) -> LayerShares {
-        let StackLobes { beams, absorptance, residual } = self.outcome(incident);
+        let StackLobes { beams, absorptance, residual, .. } = self.outcome(incident);
         let mut shares = LayerShares { absorptance, residual, ..LayerShares::default() };
-        for StackLobe { direction, stokes, .. } in beams {
+        for LitLobe { direction, stokes, .. } in beams {
             if direction.z * incident.z < 0.0 {
                 shares.reflectance += stokes[0];
                 continue;
@@ -130,8 +137,8 @@ impl Glazing for Stack {
         out.clear();
         let found = self.outcome(incident);
         out.absorbed = found.absorptance.iter().sum();
-        out.residual = found.residual;
-        out.beams.extend(found.beams.iter().map(|b| Lobe {
+        (out.residual, out.walked) = (found.residual, found.walked);
+        out.beams.extend(gathered(found.beams).iter().map(|b| Lobe {
             direction: b.direction,
             power: b.stokes[0],
             total_reflections: b.total_reflections,
@@ -206,28 +213,32 @@ impl Glazing for Stack {
         }
     }
 
+    fn lit_lobes(&self, incident: Direction, [q, u, v]: [f64; 3], out: &mut LitLobes) {
+        let light = if self.is_resolved { [1.0, q, u, v] } else { [1.0, 0.0, 0.0, 0.0] };
+        let found = self.outcome_of(incident, light);
+        *out = LitLobes {
+            beams: gathered(found.beams),
+            absorbed: found.absorptance.iter().sum(),
+            residual: found.residual,
+        };
+        if !self.is_resolved {
+            out.beams.iter_mut().for_each(|beam| beam.stokes = [beam.stokes[0], 0.0, 0.0, 0.0]);
+        }
+    }
+
     fn polarised_scatter(&self, incident: Direction, polarisation: [f64; 3], u: [f64; 3]) -> (Scattered, [f64; 3]) {
         let mut rng = Rng::new(u[2].to_bits(), u[1].to_bits());
         let (layers, first) = self.drawn(u[0]);
-        let mut gap = if incident.z > 0.0 { 0 } else { layers.len() };
-        let (mut direction, mut polarisation, mut count) = (incident, polarisation, 0_u16);
-        let mut u = [first, u[1], rng.uniform()];
-        for _ in 0..MOST_MEETINGS {
-            let Some(layer) = met(layers.len(), gap, direction) else {
-                return (Scattered::Leaves { direction, total_reflections: count }, polarisation);
-            };
-            let drawn = if self.is_resolved {
-                layers[layer].polarised_scatter(direction, polarisation, u)
-            } else {
-                (layers[layer].scatter(direction, u), [0.0; 3])
-            };
-            let (Scattered::Leaves { direction: leaves, total_reflections }, after) = drawn else { break };
-            gap = entered(layer, leaves);
-            (direction, polarisation) = (leaves, after);
-            count = count.saturating_add(total_reflections);
-            u = std::array::from_fn(|_| rng.uniform());
+        let gap = if incident.z > 0.0 { 0 } else { layers.len() };
+        let given = [first, u[1], rng.uniform()];
+        let numbers = |meeting| if meeting == 0 { given } else { std::array::from_fn(|_| rng.uniform()) };
+        let ray = Ray { gap, direction: incident, polarisation, total_reflections: 0 };
+        match walk(layers, self.is_resolved, ray, numbers) {
+            End::Leaves(Ray { direction, polarisation, total_reflections, .. }) => {
+                (Scattered::Leaves { direction, total_reflections }, polarisation)
+            }
+            End::Absorbed(_) | End::Lost => (Scattered::Absorbed, [0.0; 3]),
         }
-        (Scattered::Absorbed, [0.0; 3])
     }
 }
 

@@ -10,8 +10,8 @@ use optics::Lobes;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// The most of a window's light that may have no definite direction.
-const RESIDUAL: f64 = 1e-3;
+/// The most of a window's light that may have no definite direction; what there is of it counts as cut off.
+const RESIDUAL: f64 = 3e-3;
 
 /// A beam of less than this share of the sun's normal illuminance is not followed to another turn.
 const LEAST_STRENGTH: f64 = 1e-4;
@@ -54,7 +54,7 @@ pub struct Beams {
     pub beams: Vec<Beam>,
     /// How many may light something.
     pub lighting: usize,
-    /// Summed strength of the beams that were not followed on.
+    /// Summed strength of the beams that were not followed on, and of light of which no direction is known.
     pub cut_off: f64,
 }
 
@@ -178,6 +178,8 @@ impl Growth<'_> {
                 if lobes.residual > RESIDUAL {
                     return Err(RoomError::NoLobes { name: surface.name.clone(), residual: lobes.residual });
                 }
+                // what has no direction is missing: as much as if it left square to the window
+                self.cut_off += strength * lobes.residual.max(0.0) * incident.z.abs();
                 for lobe in &lobes.beams {
                     // the beam keeps its width along the window: across, it is narrowed or widened with its cosine
                     let share = lobe.power * (incident.z / lobe.direction.z).abs();

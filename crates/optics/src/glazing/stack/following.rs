@@ -1,65 +1,84 @@
-//! Layers that turn light: beams followed from gap to gap, each layer asked once for each direction it meets.
+//! Layers that turn light: beams followed from gap to gap, the strongest first.
 //!
 //! Light in one gap along one direction is one state. Where a state leads is a Mueller matrix to each of finitely many others, found
-//! when light first gets there; from then on light that comes again costs only additions (theory/layers.md, eqs. 5 and 6).
+//! when light gets there; from then on light that comes again costs only additions (theory/layers.md, eqs. 5 and 6). Layers that send
+//! light into ever new directions are asked for strong light alone; a walk finishes the rest ([`super::finishing`]).
 
-use super::super::{Glazing, Lobes, PolarisedLobes};
+use super::super::{Glazing, LitLobe, LitLobes, Lobes, PolarisedLobe, PolarisedLobes};
+use super::finishing::finish;
+use super::states::{State, States};
 use crate::stokes::{Mueller, Stokes};
 use hemisphere::Direction;
+use std::collections::BinaryHeap;
 use std::sync::Arc;
 
-/// States weaker than this share of the incident power are not asked where they lead: what they hold is residual.
+/// States weaker than this share of the power of a wavelength are not asked where they lead.
 const ASK: f64 = 1e-7;
 
 /// States weaker than this are not followed even if it is known where they lead.
 const FOLLOW: f64 = 1e-11;
 
-/// States at most: layers that send light into ever new directions would never end.
-const MOST_STATES: usize = 1_000;
+/// A layer that answers with more beams than this sends light into ever new directions.
+const FEW_BEAMS: usize = 16;
+
+/// From then on, layers that turn light are asked for states of this share or more: of all light, and of that of a wavelength the more
+/// the less it weighs, by the root, as errors of wavelengths do.
+const ASK_STRONG: f64 = 1e-2;
+
+/// Times that layers which turn light are asked at most, at one wavelength.
+const MOST_ASKED: usize = 200;
 
 /// Times that a state is followed at most.
 const MOST_STEPS: usize = 100_000;
 
-/// Directions closer than this are one.
-const SAME: f64 = 1e-9;
-
-/// One parallel beam that leaves a stack.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StackLobe {
-    /// Where it travels.
-    pub direction: Direction,
-    /// Power, as a share of the incident, and polarisation about the reference axes of the direction.
-    pub stokes: Stokes,
-    /// Least number of total internal reflections on the way.
-    pub total_reflections: u16,
-}
-
-/// All that becomes of one incident beam.
+/// All that becomes of one incident beam; the powers, the absorptances and `residual` add to 1.
 #[derive(Clone, Debug, Default)]
 pub struct StackLobes {
-    /// The beams, no two of one direction.
-    pub beams: Vec<StackLobe>,
+    /// The beams, no two of one direction, the strongest first.
+    pub beams: Vec<LitLobe>,
     /// Share each layer absorbs, the outermost first.
     pub absorptance: Vec<f64>,
     /// Share not followed to its end.
     pub residual: f64,
-}
-
-/// Light in gap `gap`, before layer `gap` and behind the one before, along `direction`.
-struct State {
-    gap: usize,
-    direction: Direction,
-    waiting: Stokes,
-    total_reflections: u16,
-    exits: Option<Exits>,
+    /// Share that was under way when enough had been asked, and was followed by a walk.
+    pub walked: f64,
+    /// Square of the standard error of any share by that walk, at most: of independent rays half of which go one way.
+    pub walked_variance: f64,
 }
 
 /// Where a state leads.
-struct Exits {
-    layer: usize,
+pub struct Exits {
     ways: Vec<(usize, Mueller, u16)>,
     absorbed: Stokes,
     residual: f64,
+}
+
+/// What a layer does to directions.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Keeps or mirrors them.
+    Straight,
+    /// Not known yet.
+    Turning,
+    /// Turns light into few.
+    Few,
+    /// Turns light into many.
+    Many,
+}
+
+/// Light of one wavelength on its way through a stack.
+struct Following<'a> {
+    layers: &'a [Arc<dyn Glazing>],
+    is_resolved: bool,
+    weight: f64,
+    kinds: Vec<Kind>,
+    /// The least light for which a layer that turns light is asked, and how often one has been.
+    least: f64,
+    asked: usize,
+    states: States,
+    /// States that light waits in by the bits of its power, which are in order too; outdated once there is more of it.
+    queue: BinaryHeap<(u64, usize)>,
+    out: &'a mut StackLobes,
 }
 
 /// Follows light of these Stokes parameters along `incident` and adds `weight` times what becomes of it to `out`.
@@ -70,80 +89,136 @@ pub fn follow(
     weight: f64,
     out: &mut StackLobes,
 ) {
-    let gap = if incident.z > 0.0 { 0 } else { layers.len() };
-    let mut states = vec![State { gap, direction: incident, waiting: stokes, total_reflections: 0, exits: None }];
+    let kind = |layer: &Arc<dyn Glazing>| layer.straight(incident).map_or(Kind::Turning, |_| Kind::Straight);
+    let mut following = Following {
+        layers,
+        is_resolved,
+        weight,
+        kinds: layers.iter().map(kind).collect(),
+        least: ASK,
+        asked: 0,
+        states: States::new(layers.len()),
+        queue: BinaryHeap::new(),
+        out,
+    };
+    let first = following.states.find(if incident.z > 0.0 { 0 } else { layers.len() }, incident);
+    following.send(first, stokes, 0);
     for _ in 0..MOST_STEPS {
         // the strongest first, so that what meets again meets merged
-        let may_ask = states.len() < MOST_STATES;
-        let follows = |s: &State| match (&s.exits, met(layers.len(), s.gap, s.direction)) {
-            (_, None) => false,
-            (Some(_), _) => s.waiting[0] >= FOLLOW,
-            (None, _) => s.waiting[0] >= ASK && may_ask,
-        };
-        let strongest = (0..states.len())
-            .filter(|&i| follows(&states[i]))
-            .max_by(|&a, &b| states[a].waiting[0].total_cmp(&states[b].waiting[0]));
-        let Some(i) = strongest else { break };
-        let exits = match states[i].exits.take() {
-            Some(known) => known,
-            None => ask(layers, is_resolved, i, &mut states),
-        };
-        let mut light = std::mem::replace(&mut states[i].waiting, [0.0; 4]);
-        if !is_resolved {
-            light = [light[0], 0.0, 0.0, 0.0];
+        let Some((power, i)) = following.queue.pop() else { break };
+        if following.states.all[i].waiting[0].to_bits() == power {
+            following.pass_on(i);
         }
-        let count = states[i].total_reflections;
-        out.absorptance[exits.layer] += weight * exits.absorbed.iter().zip(light).map(|(a, x)| a * x).sum::<f64>();
-        out.residual += weight * exits.residual * light[0];
-        for (to, mueller, total_reflections) in &exits.ways {
-            let there = &mut states[*to];
-            there.waiting.iter_mut().zip(mueller.apply(light)).for_each(|(sum, x)| *sum += x);
-            there.total_reflections = there.total_reflections.min(count.saturating_add(*total_reflections));
-        }
-        states[i].exits = Some(exits);
     }
-    for State { gap, direction, waiting, total_reflections, .. } in states {
+    let mut states = following.states;
+    finish(layers, is_resolved, &mut states, weight, out);
+    for State { gap, direction, waiting, total_reflections, .. } in states.all {
         if met(layers.len(), gap, direction).is_some() {
             out.residual += weight * waiting[0];
-            continue;
-        }
-        let stokes = waiting.map(|x| weight * x);
-        match out.beams.iter_mut().find(|b| same(b.direction, direction)) {
-            Some(there) => {
-                there.stokes.iter_mut().zip(stokes).for_each(|(sum, x)| *sum += x);
-                there.total_reflections = there.total_reflections.min(total_reflections);
-            }
-            None => out.beams.push(StackLobe { direction, stokes, total_reflections }),
+        } else if waiting[0] != 0.0 {
+            out.beams.push(LitLobe { direction, stokes: waiting.map(|x| weight * x), total_reflections });
         }
     }
 }
 
-/// Asks the layer that state `i` meets where its light goes, and makes the states it leads to.
-fn ask(layers: &[Arc<dyn Glazing>], is_resolved: bool, i: usize, states: &mut Vec<State>) -> Exits {
-    let State { gap, direction, .. } = states[i];
-    // a state that has left is never asked
-    let layer = met(layers.len(), gap, direction).unwrap_or_default();
-    let mut found = PolarisedLobes::default();
-    if is_resolved {
-        layers[layer].polarised_lobes(direction, &mut found);
-    } else {
-        let mut lobes = Lobes::default();
-        layers[layer].lobes(direction, &mut lobes);
-        found.depolarised(&lobes);
+impl Following<'_> {
+    /// Adds light to a state, whose turn comes.
+    fn send(&mut self, to: usize, light: Stokes, total_reflections: u16) {
+        let waiting = self.states.add(to, light, total_reflections);
+        if waiting >= FOLLOW {
+            self.queue.push((waiting.to_bits(), to));
+        }
     }
-    let absorbed = found.absorbed();
-    let mut ways = Vec::with_capacity(found.beams.len());
-    for beam in &found.beams {
-        let gap = entered(layer, beam.direction);
-        let known = states.iter().position(|s| s.gap == gap && same(s.direction, beam.direction));
-        let to = known.unwrap_or_else(|| {
-            let direction = beam.direction;
-            states.push(State { gap, direction, waiting: [0.0; 4], total_reflections: u16::MAX, exits: None });
-            states.len() - 1
-        });
-        ways.push((to, beam.mueller, beam.total_reflections));
+
+    /// Sends on what waits in state `i`, if it is known where to or worth asking.
+    fn pass_on(&mut self, i: usize) {
+        let State { gap, direction, waiting, .. } = self.states.all[i];
+        let Some(layer) = met(self.layers.len(), gap, direction) else { return };
+        if self.states.all[i].exits.is_none() {
+            let kind = self.kinds[layer];
+            if kind == Kind::Straight {
+                if waiting[0] < ASK {
+                    return;
+                }
+            } else {
+                if waiting[0] < self.least || self.asked == MOST_ASKED {
+                    return;
+                }
+                self.asked += 1;
+            }
+            if matches!(kind, Kind::Turning | Kind::Many) {
+                return self.pass_on_lit(i, layer);
+            }
+            self.states.all[i].exits = Some(self.ask(layer, direction));
+        }
+        let Some(exits) = self.states.all[i].exits.take() else { return };
+        let (light, count) = self.taken(i);
+        let absorbed: f64 = exits.absorbed.iter().zip(light).map(|(a, x)| a * x).sum();
+        self.out.absorptance[layer] += self.weight * absorbed;
+        self.out.residual += self.weight * exits.residual * light[0];
+        for &(to, mueller, more) in &exits.ways {
+            self.send(to, mueller.apply(light), count.saturating_add(more));
+        }
+        self.states.all[i].exits = Some(exits);
     }
-    Exits { layer, ways, absorbed, residual: found.residual }
+
+    /// The same where light is not expected to come again in numbers: its layer is asked for its polarisation alone.
+    fn pass_on_lit(&mut self, i: usize, layer: usize) {
+        let direction = self.states.all[i].direction;
+        let ([power, q, u, v], count) = self.taken(i);
+        let mut found = LitLobes::default();
+        if self.is_resolved {
+            self.layers[layer].lit_lobes(direction, [q / power, u / power, v / power], &mut found);
+        } else {
+            let mut lobes = Lobes::default();
+            self.layers[layer].lobes(direction, &mut lobes);
+            let mut polarised = PolarisedLobes::default();
+            polarised.depolarised(&lobes);
+            polarised.lit([0.0; 3], &mut found);
+        }
+        self.out.absorptance[layer] += self.weight * found.absorbed * power;
+        self.out.residual += self.weight * found.residual * power;
+        self.learn(layer, found.beams.len());
+        for beam in &found.beams {
+            let to = self.states.find(entered(layer, beam.direction), beam.direction);
+            self.send(to, beam.stokes.map(|x| power * x), count.saturating_add(beam.total_reflections));
+        }
+    }
+
+    /// What waits in a state, which then holds nothing, and its total reflections.
+    fn taken(&mut self, i: usize) -> (Stokes, u16) {
+        let state = &mut self.states.all[i];
+        let light = std::mem::replace(&mut state.waiting, [0.0; 4]);
+        (if self.is_resolved { light } else { [light[0], 0.0, 0.0, 0.0] }, state.total_reflections)
+    }
+
+    /// Asks a layer where light of one direction and any polarisation goes, and makes the states it leads to.
+    fn ask(&mut self, layer: usize, direction: Direction) -> Exits {
+        let mut found = PolarisedLobes::default();
+        if self.is_resolved {
+            self.layers[layer].polarised_lobes(direction, &mut found);
+        } else {
+            let mut lobes = Lobes::default();
+            self.layers[layer].lobes(direction, &mut lobes);
+            found.depolarised(&lobes);
+        }
+        if self.kinds[layer] != Kind::Straight {
+            self.learn(layer, found.beams.len());
+        }
+        let mut to = |beam: &PolarisedLobe| self.states.find(entered(layer, beam.direction), beam.direction);
+        let ways = found.beams.iter().map(|beam| (to(beam), beam.mueller, beam.total_reflections)).collect();
+        Exits { ways, absorbed: found.absorbed(), residual: found.residual }
+    }
+
+    /// Takes note of how many beams a layer that turns light has answered with.
+    fn learn(&mut self, layer: usize, beams: usize) {
+        if beams > FEW_BEAMS {
+            self.kinds[layer] = Kind::Many;
+            self.least = ASK_STRONG / self.weight.sqrt();
+        } else if self.kinds[layer] == Kind::Turning {
+            self.kinds[layer] = Kind::Few;
+        }
+    }
 }
 
 /// The layer of `count` that light in a gap meets next; `None` if it has left.
@@ -154,8 +229,4 @@ pub fn met(count: usize, gap: usize, direction: Direction) -> Option<usize> {
 /// The gap that light leaving `layer` along `direction` enters.
 pub fn entered(layer: usize, direction: Direction) -> usize {
     if direction.z > 0.0 { layer + 1 } else { layer }
-}
-
-pub fn same(a: Direction, b: Direction) -> bool {
-    (a.vector() - b.vector()).length_squared() < SAME * SAME
 }
