@@ -16,6 +16,9 @@ const ENOUGH: usize = 512;
 /// 0.533° wide.
 const CELLS_DEG: [f64; 3] = [0.1, 0.2, 0.4];
 
+/// Whether light leaves inwards, whether it was totally reflected, and where in the angles about and along the cuts.
+type Cell = (bool, bool, i32, i32);
+
 /// Makes one of beams of one direction, which come by different wavelengths, and sorts them, the strongest first.
 pub fn joined(beams: &[LitLobe]) -> Vec<LitLobe> {
     let mut directory = Directory::default();
@@ -53,7 +56,7 @@ pub fn gathered(mut beams: Vec<LitLobe>) -> Vec<LitLobe> {
 
 /// Beams within cells of this side \[rad\] as one each.
 fn in_cells(beams: &[LitLobe], side: f64) -> Vec<LitLobe> {
-    let mut cells: HashMap<(bool, bool, i32, i32), (LitLobe, [f64; 3])> = HashMap::new();
+    let mut cells: HashMap<Cell, (LitLobe, [f64; 3])> = HashMap::new();
     for beam in beams {
         let d = beam.direction;
         // light between panels keeps its x: turned about it, it differs by an angle
