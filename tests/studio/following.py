@@ -7,9 +7,9 @@ from typing import Any
 
 import psutil
 
-from clerestory.studio.job_calls import KINDS
-from clerestory.studio.job_shapes import job_shape
-from clerestory.studio.shapes import fit
+from clerestory.studio.doors.shapes import fit
+from clerestory.studio.jobs.calls import KINDS
+from clerestory.studio.jobs.shapes import job_shape
 
 
 def started(client: Any, **asked: Any) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import xarray as xr
 
-from clerestory.studio import result_child
+from clerestory.studio.results import child as result_child
 
 #: Of texts in stores of version 3, which what a sweep writes has too.
 pytestmark = pytest.mark.filterwarnings("ignore:The data type")

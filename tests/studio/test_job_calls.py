@@ -8,10 +8,10 @@ import pytest
 from tests.studio.following import ended, started
 
 from clerestory import panel_from_dict
-from clerestory.studio.job_calls import KINDS
-from clerestory.studio.job_shapes import job_shape
-from clerestory.studio.panel_walk import ENOUGH
-from clerestory.studio.shapes import MisshapenError, Shape, fit
+from clerestory.studio.doors.shapes import MisshapenError, Shape, fit
+from clerestory.studio.jobs.calls import KINDS
+from clerestory.studio.jobs.shapes import job_shape
+from clerestory.studio.panel.walk import ENOUGH
 
 IDEAL = {"kind": "laser-cut", "spacing_mm": 6.0, "thickness_mm": 5.0}
 #: Takes a minute at least.

@@ -10,8 +10,8 @@ from tests.studio.following import ended, is_left_at_once, looked, started, work
 from tests.studio.test_room_calls import CLEAR, ROOM
 from tests.year.small import YEAR, write_small
 
-from clerestory.studio import job_calls
 from clerestory.studio.app import make_app
+from clerestory.studio.jobs import calls as job_calls
 from clerestory.studio.settings import Settings
 
 IDEAL = {"kind": "laser-cut", "spacing_mm": 6.0, "thickness_mm": 5.0}

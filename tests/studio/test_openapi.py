@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from clerestory.studio.app import make_app
-from clerestory.studio.requests import Call
+from clerestory.studio.doors.requests import Call
 from clerestory.studio.settings import Settings
 
 with warnings.catch_warnings():

@@ -126,7 +126,7 @@ def test_an_answer_at_once_is_by_rays_and_within_its_standard_error(client: Any)
 
 def test_what_was_followed_at_once_before_is_followed_again(client: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     # a busy machine takes longer for a pane than what counts as at once
-    monkeypatch.setattr("clerestory.studio.panel_pace.AT_ONCE_S", 60.0)
+    monkeypatch.setattr("clerestory.studio.panel.pace.AT_ONCE_S", 60.0)
     asked = {"panel": {"kind": "pane", "thickness_mm": 3.0}, "elevation_deg": 45.0}
     for _ in range(12):
         client.post("/api/panel/lobes", json=asked)

@@ -22,10 +22,10 @@ from clerestory import (
     uniformity,
 )
 from clerestory.sky.availability import usual_diffuse_horizontal_lx
-from clerestory.studio.room_asked import asked_room
-from clerestory.studio.room_kinds import room_kinds, start_tables
-from clerestory.studio.room_planes import plane_sensors
-from clerestory.studio.room_work import one_pass
+from clerestory.studio.room.asked import asked_room
+from clerestory.studio.room.kinds import room_kinds, start_tables
+from clerestory.studio.room.planes import plane_sensors
+from clerestory.studio.room.work import one_pass
 from clerestory.sun import direction_of
 
 ROOM = {"tables": start_tables()}

@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 from tests.studio.test_room_calls import WHEN, ask, refused
 
-from clerestory.studio import room_asked
-from clerestory.studio.room_kinds import start_tables
+from clerestory.studio.room import asked as room_asked
+from clerestory.studio.room.kinds import start_tables
 
 OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 

@@ -9,9 +9,9 @@ from tests.studio.following import ended, started
 from tests.studio.test_room_calls import CLEAR, ROOM, WHEN, ask
 
 from clerestory import daylight_coefficients, daylight_factor
-from clerestory.studio.room_asked import asked_room
-from clerestory.studio.room_kinds import start_tables
-from clerestory.studio.room_pool import MOST_BATCHES, Batch, Pool, relative, scatter
+from clerestory.studio.room.asked import asked_room
+from clerestory.studio.room.kinds import start_tables
+from clerestory.studio.room.pool import MOST_BATCHES, Batch, Pool, relative, scatter
 
 
 def job(client: Any, **asked: Any) -> list[dict[str, Any]]:

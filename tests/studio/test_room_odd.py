@@ -4,10 +4,10 @@ import copy
 import random
 from typing import Any
 
-from clerestory.studio.room_asked import asked_room
-from clerestory.studio.room_kinds import start_tables
-from clerestory.studio.room_planes import plane_sensors
-from clerestory.studio.room_work import one_pass
+from clerestory.studio.room.asked import asked_room
+from clerestory.studio.room.kinds import start_tables
+from clerestory.studio.room.planes import plane_sensors
+from clerestory.studio.room.work import one_pass
 
 ODD: list[Any] = [None, True, 0, -1, 1.5, 1e300, -1e300, 1e-300, "", "x" * 300, "glass", [], [[]], {}, [1, 2, 3]]
 ODD += [[[0, 0, 0]], {"kind": "glass"}, "2026-01-01", [None], ["glass", 3], 10**12, {"a": {}}, [{}], "\0", "../x"]

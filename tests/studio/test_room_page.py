@@ -29,7 +29,7 @@ from clerestory import (
 )
 from clerestory.room.toml_file import room_of
 from clerestory.sky.availability import usual_diffuse_horizontal_lx
-from clerestory.studio.room_kinds import start_tables
+from clerestory.studio.room.kinds import start_tables
 
 CLASSROOM = Path(__file__).parents[2] / "examples/classroom/classroom.toml"
 #: Few sensors, so that the target is reached soon.

@@ -11,11 +11,11 @@ from tests.studio.conftest import TestClient
 from tests.studio.test_any_request import ODD
 
 from clerestory.studio.app import make_app
-from clerestory.studio.requests import Call
-from clerestory.studio.result_calls import ROUTES
-from clerestory.studio.result_reader import Reader
+from clerestory.studio.doors.requests import Call
+from clerestory.studio.doors.shapes import fit
+from clerestory.studio.results.calls import ROUTES
+from clerestory.studio.results.reader import Reader
 from clerestory.studio.settings import Settings
-from clerestory.studio.shapes import fit
 
 YEAR, ROOM, DESIGN = "out/year/year.nc", "out/room/summary.json", "out/design/history.csv"
 PLAN = {"metric": "daylight_autonomy", "plane": "floor"}

@@ -17,22 +17,27 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import Receive, Scope, Send
 
 from clerestory import _native
-from clerestory.studio import bsdf_calls, job_calls, page_calls, panel_calls, result_calls, room_calls
+from clerestory.studio import page_calls
 from clerestory.studio.answers import answer, refused
-from clerestory.studio.bsdf_shelf import BsdfShelf
-from clerestory.studio.folder import ENDINGS
-from clerestory.studio.folder import listed as files_of
-from clerestory.studio.guard import Guard
-from clerestory.studio.jobs import Jobs
-from clerestory.studio.openapi import description
-from clerestory.studio.requests import Asked, Call, call
-from clerestory.studio.result_listing import Listing
-from clerestory.studio.result_reader import Reader
-from clerestory.studio.result_shelf import ResultShelf
-from clerestory.studio.room_asked import Rooms
-from clerestory.studio.room_shelf import RoomShelf
+from clerestory.studio.bsdf import calls as bsdf_calls
+from clerestory.studio.bsdf.shelf import BsdfShelf
+from clerestory.studio.doors.folder import ENDINGS
+from clerestory.studio.doors.folder import listed as files_of
+from clerestory.studio.doors.guard import Guard
+from clerestory.studio.doors.openapi import description
+from clerestory.studio.doors.requests import Asked, Call, call
+from clerestory.studio.doors.shapes import TEXT, listed, record, word
+from clerestory.studio.jobs import calls as job_calls
+from clerestory.studio.jobs.running import Jobs
+from clerestory.studio.panel import calls as panel_calls
+from clerestory.studio.results import calls as result_calls
+from clerestory.studio.results.listing import Listing
+from clerestory.studio.results.reader import Reader
+from clerestory.studio.results.shelf import ResultShelf
+from clerestory.studio.room import calls as room_calls
+from clerestory.studio.room.asked import Rooms
+from clerestory.studio.room.shelf import RoomShelf
 from clerestory.studio.settings import Settings
-from clerestory.studio.shapes import TEXT, listed, record, word
 from clerestory.studio.warming import warm_beside
 
 #: The built page, which comes with the wheel.

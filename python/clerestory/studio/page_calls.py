@@ -10,10 +10,10 @@ from starlette.requests import Request
 from clerestory import _native
 from clerestory.errors import ClerestoryError
 from clerestory.panels import panel_from_dict
-from clerestory.studio.fields import Field
-from clerestory.studio.folder import inside
-from clerestory.studio.requests import Asked, call
-from clerestory.studio.shapes import TABLE, TEXT, MisshapenError, Shape, fit, maybe, record, word
+from clerestory.studio.doors.fields import Field
+from clerestory.studio.doors.folder import inside
+from clerestory.studio.doors.requests import Asked, call
+from clerestory.studio.doors.shapes import TABLE, TEXT, MisshapenError, Shape, fit, maybe, record, word
 from clerestory.studio.toml_kinds import KINDS, PAGE, kind_of, toml_of
 
 #: The state of a page: the view that is open, and a table for each view. What is in a table is the page's own, which

@@ -9,8 +9,8 @@ from typing import Any
 
 from clerestory.errors import ClerestoryError
 from clerestory.panels.writing import kinds as panel_kinds
-from clerestory.studio.requests import bounded
-from clerestory.studio.shapes import MisshapenError
+from clerestory.studio.doors.requests import bounded
+from clerestory.studio.doors.shapes import MisshapenError
 
 #: ``kind`` of the file that holds the state of a page.
 PAGE = "studio-page"

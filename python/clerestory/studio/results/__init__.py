@@ -1,0 +1,1 @@
+"""Results of studies, opened by what they hold in a process of their own: listing, figures, plans."""

@@ -1,0 +1,1 @@
+"""The Room view: scenes, the sun's way, light that refines while one looks."""
