@@ -45,8 +45,9 @@ def section_beams(
     -------
     Dataset over ``strip``
         ``corners`` (strip, corner, axis) [mm]: the two ends where the strip begins, then the same rays where it ends,
-        in reverse; ``power`` [0..1 of the light let in]; ``medium`` it runs in, 0 the air; ``total_reflections`` so
-        far. The first strip is the light that arrives. Light is unpolarised again at every surface.
+        in reverse; ``power`` [0..1 of the light let in] where the strip begins, after what was absorbed on the way;
+        ``medium`` it runs in, 0 the air; ``total_reflections`` so far. The first strip is the light that arrives.
+        Light is unpolarised again at every surface and, dimmed, evenly spread again.
 
     Raises
     ------

@@ -29,6 +29,13 @@ pub fn dimmed<P: Payload>(piece: &Piece<P>, sight: &Sight, absorption: f64, from
     }
 }
 
+/// What Beer–Lambert leaves of light that is spread evenly over `from..to`.
+pub fn left(sight: &Sight, absorption: f64, from: f64, to: f64) -> f64 {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    let length = (sight.distance.0 + sight.distance.1 * middle).max(0.0);
+    (-absorption * length).exp() * moments(absorption * sight.distance.1 * half)[0]
+}
+
 /// ½ ∫ uᵏ e^{−xu} du over −1..1 for k = 0, 1, 2.
 fn moments(x: f64) -> [f64; 3] {
     if x.abs() < 0.05 {

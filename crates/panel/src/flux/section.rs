@@ -1,6 +1,7 @@
 //! The way of one broad beam through the section, strip by strip: for drawing.
 
 use super::{
+    attenuation::left,
     directions::{DirectionId, Directions},
     payload::film_reflectance,
     sight::{Sight, Source, Target, look},
@@ -25,7 +26,7 @@ const OUTSIDE: f64 = 0.6;
 pub struct Strip {
     /// Both ends on the source, then the same rays on the target, in reverse: a polygon.
     pub corners: [Vec2; 4],
-    /// Share of the light that enters the picture.
+    /// Share of the light that enters the picture, where the strip begins.
     pub power: f64,
     /// Medium it runs in.
     pub medium: MediumId,
@@ -46,7 +47,7 @@ struct Leaving {
 }
 
 /// Draws the light that arrives along `incident` between the heights `low` and `high`, down to strips of `least_power`.
-/// Light is taken as unpolarised at every facet.
+/// Light is taken as unpolarised at every facet and, dimmed on its way, as evenly spread over a strip.
 pub fn strips(
     profile: &Profile,
     media: &Media,
@@ -83,6 +84,7 @@ pub fn strips(
         };
         let d = directions.in_section(leaving.direction);
         look(profile, source, d, &mut sights);
+        let absorption = media.get(source.medium).absorption * directions.lengthening(leaving.direction);
         for sight in &sights {
             let (start, end) = (sight.start.max(leaving.start), sight.end.min(leaving.end));
             let power = leaving.power * (end - start) / (leaving.end - leaving.start);
@@ -110,6 +112,7 @@ pub fn strips(
             }
             if let Target::Facet(hand, copy) = sight.target {
                 let arrival = Arrival { hand, copy, sight: *sight, start, end };
+                let power = power * left(sight, absorption, start, end);
                 let parts = split(profile, media, &mut directions, &leaving, &arrival, power);
                 waiting.extend(parts.into_iter().flatten().filter(|l| l.power >= least_power));
             }
