@@ -24,7 +24,7 @@ def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     write_small(folder, YEAR.replace("rounds = 4", "rounds = 100000"))
     shutil.copy(folder / "year.toml", folder / "another.toml")
     # a busy machine may take long to load a page again
-    with chromium.studio_of(folder, "from clerestory.studio import job_calls; job_calls.ALONE_S = 600.0") as url:
+    with chromium.studio_of(folder, "from clerestory.studio.jobs import calls; calls.ALONE_S = 600.0") as url:
         yield url
 
 

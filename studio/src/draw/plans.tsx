@@ -25,6 +25,12 @@ interface Props {
 const [LEFT, TOP, FOOT, GAP, BAR] = [38, 40, 38, 26, 92];
 const MOST_NUMBERS = 90;
 
+/** A number on a coloured cell, dark or light by what it lies on, with a rim that keeps it legible on any. */
+function onCell(isLight: boolean) {
+  const [fill, stroke] = isLight ? ["#10151b", "#ffffff"] : ["#ffffff", "#10151b"];
+  return { fill, stroke, strokeWidth: 3, paintOrder: "stroke", strokeLinejoin: "round" } as const;
+}
+
 export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, cursor, picked = -1, most = 1040, onMove, onPick }: Props) {
   const drawing = useRef<SVGSVGElement>(null);
   const { x, y } = plan;
@@ -132,7 +138,7 @@ export function DrawPlans({ plan, label, scaleLabel, windowWord, isDifference, c
             {numbers &&
               variant.values.map((value, cell) =>
                 value === null ? null : (
-                  <text key={cell} class="cellNumber" style={{ fill: isDifference || share(value) > 0.55 ? "#10151b" : "#ffffff" }} x={(x[cell % x.length] - lowX) * scale} y={(highY - y[Math.floor(cell / x.length)]) * scale} text-anchor="middle" dominant-baseline="central">
+                  <text key={cell} class="cellNumber" style={onCell(isDifference || share(value) > 0.55)} x={(x[cell % x.length] - lowX) * scale} y={(highY - y[Math.floor(cell / x.length)]) * scale} text-anchor="middle" dominant-baseline="central">
                     {written(value, Math.abs(value) >= 10 ? "lx" : plan.unit)}
                   </text>
                 ),
