@@ -32,6 +32,10 @@ NAMES = {
 }
 
 
+#: The address says under which key the studio has the BSDF: it is written a moment after the discs are drawn.
+HAS_KEY = "() => location.hash.includes('bsdf.key=')"
+
+
 def drop(page: Any, place: str, path: Path) -> None:
     """Lets a file fall on an element."""
     page.evaluate(
@@ -63,8 +67,11 @@ def test_a_saved_page_is_opened_again_as_it_was(page: Any, browser: Any, studio:
         )
     )
     page.locator(".disc.picks").wait_for()
+    page.wait_for_function(HAS_KEY)
     page.evaluate("() => { location.hash += '&panel.b.kind=%22prismatic%22&panel.b.upper_deg=62' }")
     page.wait_for_function("() => document.querySelectorAll('.disc.picks').length === 1")
+    chromium.is_still(page)
+    page.wait_for_function(HAS_KEY)
     with page.expect_download() as waiting:
         page.get_by_role("button", name="Save page").click()
     assert waiting.value.suggested_filename == "studio.toml"
@@ -80,6 +87,7 @@ def test_a_saved_page_is_opened_again_as_it_was(page: Any, browser: Any, studio:
     other.goto(studio)
     other.locator(".pageFiles input[type=file]").set_input_files(file)
     other.locator(".disc.picks").wait_for()
+    other.wait_for_function(HAS_KEY)
     assert other.locator("html").get_attribute("data-theme") == "dark"
     assert set(other.evaluate("() => location.hash").strip("#").split("&")) == set(link.strip("#").split("&"))
     # the way back leads to what was there before
