@@ -12,13 +12,13 @@ from typing import Any
 
 import matplotlib as mpl
 import numpy as np
+from benchmark_page import ROOT, put_section
 from numpy.typing import NDArray
 from panel_geometry import D_OVER_W, N
 
 from clerestory import KlemsBlock, LaserCutPanel, Medium
 from clerestory.bsdf import klems_basis
 
-ROOT = Path(__file__).parents[2]
 FIGURE = ROOT / "docs" / "images" / "bsdf_race.png"
 HEADING = "## A BSDF of a panel"
 REPEATS = 3
@@ -143,15 +143,8 @@ def section() -> str:
 
 
 def main() -> None:
-    """Puts the section at the end of the page, in the place of the one before; whole or not at all."""
-    path = ROOT / "docs" / "benchmarks.md"
-    before, _, after = path.read_text(encoding="utf-8").partition(HEADING)
-    following = after.find("\n## ")
-    rest = after[following + 1 :] if following >= 0 else ""
-    draft = path.with_suffix(".md.part")
-    draft.write_text(before.rstrip() + "\n\n" + section() + ("\n" + rest if rest else ""), encoding="utf-8")
-    draft.replace(path)
-    print(f"wrote {path.relative_to(ROOT)}")
+    """Puts the section into the page."""
+    put_section(HEADING, section())
 
 
 if __name__ == "__main__":

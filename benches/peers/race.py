@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import json
 import os
-import platform
 import resource
 import subprocess
 import sys
@@ -13,11 +12,11 @@ import time
 from pathlib import Path
 
 import numpy as np
+from benchmark_page import ROOT, machine, put_page
 from panel_geometry import D_OVER_W, ELEVATION_DEG, KERF_OVER_W, N
 
 from clerestory import LaserCutPanel, Medium, __version__
 
-ROOT = Path(__file__).parents[2]
 REPEATS = 5
 
 
@@ -76,15 +75,6 @@ def criterion() -> list[tuple[str, float]]:
         name = json.loads((path.parent / "benchmark.json").read_text())["full_id"]
         found.append((name, json.loads(path.read_text())["median"]["point_estimate"] / 1e3))
     return found
-
-
-def machine() -> str:
-    """The processor, its cores and the system."""
-    info = Path("/proc/cpuinfo")
-    lines = info.read_text().splitlines() if info.exists() else []
-    model = next((line.split(":")[1].strip() for line in lines if line.startswith("model name")), platform.processor())
-    load = f", load {os.getloadavg()[0]:.1f} while it ran" if hasattr(os, "getloadavg") else ""
-    return f"{model}, {os.cpu_count()} cores, {platform.system()}, Python {platform.python_version()}{load}"
 
 
 def page() -> str:
@@ -147,11 +137,7 @@ def page() -> str:
 
 def main() -> None:
     """Writes the page, whole or not at all."""
-    path = ROOT / "docs" / "benchmarks.md"
-    draft = path.with_suffix(".md.part")
-    draft.write_text(page(), encoding="utf-8")
-    draft.replace(path)
-    print(f"wrote {path.relative_to(ROOT)}")
+    put_page(page())
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import xarray as xr
-from race import ROOT, machine
+from benchmark_page import machine, put_section
 from room_figure import draw
 from room_reference import Floats, cpu_seconds, cv_rmse, rms, room
 
@@ -306,15 +306,8 @@ def section() -> str:
 
 
 def main() -> None:
-    """Puts the section into the page in the place of the last one, or at its end; whole or not at all."""
-    path = ROOT / "docs" / "benchmarks.md"
-    fresh = section()
-    before, found, rest = path.read_text(encoding="utf-8").partition(HEADING)
-    after = rest[rest.index("\n## ") + 1 :] if found and "\n## " in rest else ""
-    draft = path.with_suffix(".md.part")
-    draft.write_text(before.rstrip("\n") + "\n\n" + fresh + ("\n" + after if after else ""), encoding="utf-8")
-    draft.replace(path)
-    print(f"wrote {path.relative_to(ROOT)}")
+    """Puts the section into the page."""
+    put_section(HEADING, section())
 
 
 if __name__ == "__main__":

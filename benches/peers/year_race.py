@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 import year_radiance
-from race import ROOT, machine
+from benchmark_page import ROOT, machine, put_section
 from room_reference import cpu_seconds
 
 from clerestory import annual_illuminance, read_epw, sky_basis, sky_matrix
@@ -101,15 +101,8 @@ def section() -> str:
 
 
 def main() -> None:
-    """Puts the section into the page in the place of the last one, or at its end; whole or not at all."""
-    path = ROOT / "docs" / "benchmarks.md"
-    made = section()
-    before, found, rest = path.read_text(encoding="utf-8").partition(HEADING)
-    after = rest[rest.index("\n## ") + 1 :] if found and "\n## " in rest else ""
-    draft = path.with_suffix(".md.part")
-    draft.write_text(before.rstrip("\n") + "\n\n" + made + ("\n" + after if after else ""), encoding="utf-8")
-    draft.replace(path)
-    print(f"wrote {path.relative_to(ROOT)}")
+    """Puts the section into the page."""
+    put_section(HEADING, section())
 
 
 if __name__ == "__main__":

@@ -18,6 +18,10 @@ from urllib.parse import quote
 from playwright.sync_api import sync_playwright
 
 ROOT = Path(__file__).parents[2]
+sys.path[:0] = [str(ROOT), str(ROOT / "benches" / "peers")]
+from benchmark_page import machine, put_section  # noqa: E402
+from tests.studio import chromium  # noqa: E402
+
 HEADING = "## From drag to picture"
 #: The time that a picture is to come within [ms].
 AIM_MS = 50.0
@@ -126,10 +130,6 @@ def row(page: Any, url: str, name: str, panel: dict[str, Any]) -> str:
 
 def section(only: list[str]) -> str:
     """The section of docs/benchmarks.md."""
-    sys.path[:0] = [str(ROOT), str(ROOT / "benches" / "peers")]
-    from race import machine
-    from tests.studio import chromium
-
     where, rows = machine(), []
     folder = ROOT / "out" / "drag"
     folder.mkdir(parents=True, exist_ok=True)
@@ -168,15 +168,8 @@ def main() -> None:
         print("no chromium on this machine to drag in")
         return
     made = section(only)
-    if only:
-        return
-    path = ROOT / "docs" / "benchmarks.md"
-    before, found, rest = path.read_text(encoding="utf-8").partition(HEADING)
-    after = rest[rest.index("\n## ") + 1 :] if found and "\n## " in rest else ""
-    draft = path.with_suffix(".md.part")
-    draft.write_text(before.rstrip("\n") + "\n\n" + made + ("\n" + after if after else ""), encoding="utf-8")
-    draft.replace(path)
-    print(f"wrote {path.relative_to(ROOT)}")
+    if not only:
+        put_section(HEADING, made)
 
 
 if __name__ == "__main__":

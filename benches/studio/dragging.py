@@ -27,6 +27,9 @@ import httpx
 from clerestory import panel_from_dict
 
 ROOT = Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "benches" / "peers"))
+from benchmark_page import machine, put_section  # noqa: E402
+
 HEADING = "## The studio while twenty drag at once"
 EVERY_S = 0.05
 #: The 95th percentile that a question answered while one drags is to stay under [ms].
@@ -233,9 +236,6 @@ async def measured(url: str, process: int, folder: Path, clients: int, seconds: 
 
 def section(clients: int, seconds: float, only: list[str]) -> str:
     """The section of docs/benchmarks.md."""
-    sys.path.insert(0, str(ROOT / "benches" / "peers"))
-    from race import machine
-
     where = machine()
     with tempfile.TemporaryDirectory(prefix="clerestory-") as folder:
         command = [sys.executable, "-c", "from clerestory.cli import app; app()", "studio", "--no-open", "--port", "0"]
@@ -261,15 +261,8 @@ def main() -> None:
     clients, seconds = int(numbers[0]) if numbers else 20, numbers[1] if len(numbers) > 1 else 5.0
     only = [one for one in sys.argv[1:] if not re.fullmatch(r"[\d.]+", one)]
     made = section(min(clients, 100), min(seconds, 60.0), only)
-    if only:
-        return
-    path = ROOT / "docs" / "benchmarks.md"
-    before, found, rest = path.read_text(encoding="utf-8").partition(HEADING)
-    after = rest[rest.index("\n## ") + 1 :] if found and "\n## " in rest else ""
-    draft = path.with_suffix(".md.part")
-    draft.write_text(before.rstrip("\n") + "\n\n" + made + ("\n" + after if after else ""), encoding="utf-8")
-    draft.replace(path)
-    print(f"wrote {path.relative_to(ROOT)}")
+    if not only:
+        put_section(HEADING, made)
 
 
 if __name__ == "__main__":
